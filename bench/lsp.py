@@ -189,6 +189,12 @@ class Bench:
         else:
             print(f'  {what:44} not offered')
 
+    def typing(self, edits):
+        """Edits with the default settings: the server may wait for a pause."""
+        row('edit to diagnostics, default settings', self.edits(edits), '15')
+        row('the same, in comments', self.comments(min(100, edits)), '15')
+        self.client.end()
+
     def run(self, arguments):
         lines = self.text.text.count('\n')
         heading(f'{" ".join(self.command[:2])}: {lines} lines')
@@ -276,8 +282,9 @@ def main():
         heading('proskill lsp')
         small_file(arguments.program, folder)
         many_files(arguments.program, folder, source)
-        bench = Bench([arguments.program, 'lsp', '--debounce', '0'], f'file://{folder}/main.proskill', source, 'proskill',
-                      ['(use_1 speed 2.0)', '; words', 'ready', ':time_interval [1,2]', '(x']  )
+        words = ['(use_1 speed 2.0)', '; words', 'ready', ':time_interval [1,2]', '(x']
+        Bench([arguments.program, 'lsp'], f'file://{folder}/main.proskill', source, 'proskill', words).typing(arguments.edits)
+        bench = Bench([arguments.program, 'lsp', '--debounce', '0'], f'file://{folder}/main.proskill', source, 'proskill', words)
         bench.run(arguments)
         bench.flat(arguments.flat)
         other = shlex.split(arguments.other)

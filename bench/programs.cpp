@@ -1,8 +1,13 @@
 #include "bench/programs.h"
 
+#include "tests/where.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
 
 namespace proskill::bench {
 
@@ -55,6 +60,14 @@ std::string task(std::size_t number, std::size_t first, std::size_t count) {
 }
 
 } // namespace
+
+std::string drone() {
+  const std::string path = PROSKILL_SOURCE_DIR "/examples/drone/drone.proskill";
+  std::ostringstream text;
+  if (text << std::ifstream(path).rdbuf()) return text.str();
+  fmt::print(stderr, "bench: {} cannot be read\n", path);
+  std::exit(1);
+}
 
 std::size_t lineCount(const std::string& text) {
   return static_cast<std::size_t>(std::ranges::count(text, '\n'));

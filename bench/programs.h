@@ -13,6 +13,9 @@ namespace proskill::bench {
 /// sequence. An event may change each branch's state variable at any time.
 [[nodiscard]] std::string parallelFamily(std::size_t branches, std::size_t skills);
 
+/// The text of the paper's mission, from the examples. Ends the process if it cannot be read.
+[[nodiscard]] std::string drone();
+
 [[nodiscard]] std::size_t lineCount(const std::string& text);
 
 } // namespace proskill::bench

@@ -6,14 +6,11 @@
 #include "tests/support/texts.h"
 
 #include "codegen/model.h"
-#include "tests/where.h"
 #include "verify/verify.h"
 
 #include <fmt/format.h>
 
 #include <cstdlib>
-#include <fstream>
-#include <sstream>
 
 using namespace proskill;
 using namespace proskill::bench;
@@ -27,12 +24,6 @@ codegen::Model modelOf(const std::string& text) {
   if (model) return *std::move(model);
   fmt::print(stderr, "bench: {}\n", model.error().message);
   std::exit(1);
-}
-
-std::string drone() {
-  std::ostringstream text;
-  text << std::ifstream(PROSKILL_SOURCE_DIR "/examples/drone/drone.proskill").rdbuf();
-  return text.str();
 }
 
 verify::Exploration explore(const codegen::Model& model, verify::Options options) {

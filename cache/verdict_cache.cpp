@@ -1,9 +1,8 @@
 #include "cache/verdict_cache.h"
 
+#include "cache/checked_file.h"
 #include "cache/digest.h"
-#include "disk/disk.h"
-#include "disk/output.h"
-#include "fiacre/print/print.h"
+#include "cache/model_text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -23,11 +22,9 @@ using verify::KnownAnswer;
 using verify::MonitorMove;
 
 constexpr std::string_view kExtension = ".verdicts";
+constexpr std::string_view kPartsExtension = ".parts";
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{64} << 20;
 constexpr std::uintmax_t kBytesAfterPruning = std::uintmax_t{48} << 20;
-/// A larger file would displace all others.
-constexpr std::size_t kLargestFile = std::size_t{16} << 20;
-constexpr std::size_t kDigits = 32;
 constexpr std::chrono::seconds kBetweenSaves{1};
 
 Json jsonOf(const std::optional<std::size_t>& number) { return number ? Json(*number) : Json(); }
@@ -45,8 +42,12 @@ Json jsonOf(const Evidence& evidence) {
   for (const auto& it : evidence.marks)
     marks.push_back(
         Json::array({it.after, it.until, it.atStep, it.atEnd, it.ticks, it.location, it.edge}));
+  Json differences = Json::array();
+  for (const auto& it : evidence.differences)
+    differences.push_back(Json::array({it.a, it.b, it.limit}));
   return {{"steps", evidence.steps},
           {"clocks", std::move(clocks)},
+          {"differences", std::move(differences)},
           {"marks", std::move(marks)},
           {"loop", jsonOf(evidence.loop)},
           {"rest", jsonOf(evidence.rest)}};
@@ -58,6 +59,9 @@ Evidence evidenceIn(const Json& json) {
   for (const auto& it : json.at("clocks"))
     made.clocks.push_back({it.at(0).get<verify::ClockId>(), it.at(1).get<verify::Bound>(),
                            it.at(2).get<verify::Bound>()});
+  for (const auto& it : json.at("differences"))
+    made.differences.push_back({it.at(0).get<verify::ClockId>(), it.at(1).get<verify::ClockId>(),
+                                it.at(2).get<verify::Bound>()});
   for (const auto& it : json.at("marks"))
     made.marks.push_back({.after = it.at(0).get<std::size_t>(),
                           .until = it.at(1).get<std::size_t>(),
@@ -71,32 +75,50 @@ Evidence evidenceIn(const Json& json) {
   return made;
 }
 
-/// The text without comments, which contain the provenance.
-std::string withoutComments(std::string_view text) {
-  std::string kept;
-  while (!text.empty()) {
-    const auto line = text.substr(0, text.find('\n'));
-    kept.append(line.substr(0, line.find("//"))).append("\n");
-    text.remove_prefix(std::min(line.size() + 1, text.size()));
-  }
-  return kept;
+/// Null: the property holds.
+Json jsonOf(const KnownAnswer& answer) {
+  if (answer.holds && !answer.duration) return {};
+  Json json = jsonOf(answer.evidence);
+  if (const auto& time = answer.duration)
+    json["time"] = {time->happens, time->bounded, time->value.value, time->value.strict};
+  return json;
 }
 
-/// The text of the program without its properties, but with those that others refer to by name.
-std::string textOf(fiacre::Program program) {
-  std::erase_if(program.properties, [](const auto& property) { return property.asserted; });
-  return withoutComments(fiacre::print(program));
-}
-
-/// Includes the number of the kind, since some kinds have no text in Fiacre.
-std::string textOf(const fiacre::Pattern& pattern, const std::string& main) {
-  return fmt::format("{} {}", static_cast<int>(pattern.kind), fiacre::printPattern(pattern, main));
+KnownAnswer answerIn(const Json& json) {
+  if (json.is_null()) return {true, {}};
+  const auto time = json.find("time");
+  if (time == json.end()) return {false, evidenceIn(json)};
+  const verify::Duration duration{
+      .happens = time->at(0).get<bool>(),
+      .bounded = time->at(1).get<bool>(),
+      .value = {time->at(2).get<std::int64_t>(), time->at(3).get<bool>()}};
+  return {true, evidenceIn(json), duration};
 }
 
 std::string keyOf(const codegen::Model& model) {
   return digestOf(fmt::format("{}\n{}\n{}", digestOfThisProgram(),
                               fmt::join(std::views::keys(model.obliged), "\n"),
                               textOf(model.fiacre)));
+}
+
+/// The file about parts is that of all programs with this name.
+std::filesystem::path partsFile(const std::filesystem::path& directory,
+                                const codegen::Model& model) {
+  if (digestOfThisProgram().empty()) return {};
+  return directory / (digestOf(fmt::format("{}\n{}", digestOfThisProgram(), model.fiacre.main)) +
+                      std::string(kPartsExtension));
+}
+
+/// The same steps in a model whose transitions have the numbers; nothing if one of them is gone.
+std::optional<Evidence> translated(Evidence evidence, const std::vector<std::string>& names,
+                                   const std::map<std::string, verify::TransitionId>& numbers) {
+  if (!evidence.clocks.empty() || !evidence.differences.empty()) return std::nullopt; // no names
+  for (auto& step : evidence.steps) {
+    const auto found = step < names.size() ? numbers.find(names[step]) : numbers.end();
+    if (found == numbers.end()) return std::nullopt;
+    step = found->second;
+  }
+  return evidence;
 }
 
 /// Removes the least recently used files. Other processes may do so at the same time.
@@ -110,7 +132,8 @@ void prune(const std::filesystem::path& directory) {
   std::uintmax_t bytes = 0;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(directory, error)) {
-    if (entry.path().extension() != kExtension) continue;
+    const auto extension = entry.path().extension();
+    if (extension != kExtension && extension != kPartsExtension) continue;
     std::error_code gone;
     File file{entry.path(), entry.last_write_time(gone), entry.file_size(gone)};
     if (gone) continue;
@@ -129,72 +152,104 @@ void prune(const std::filesystem::path& directory) {
 } // namespace
 
 VerdictCache::VerdictCache(std::filesystem::path in, const codegen::Model& model)
-    : directory(std::move(in)), savedAt(std::chrono::steady_clock::now()) {
+    : directory(std::move(in)),
+      parts(partsFile(directory, model)),
+      savedAt(std::chrono::steady_clock::now()) {
   if (digestOfThisProgram().empty()) return;
   file = directory / (cache::keyOf(model) + std::string(kExtension));
   for (const auto& property : model.fiacre.properties)
     properties.push_back(digestOf(textOf(property.pattern, model.fiacre.main)));
-  answers = read();
+  verdicts = read(file);
   std::error_code error; // mark the file as used, so that it is kept
-  if (!answers.empty())
+  if (!verdicts.answers.empty())
     std::filesystem::last_write_time(file, std::filesystem::file_time_type::clock::now(), error);
 }
 
 VerdictCache::~VerdictCache() { (void)save(); }
 
 std::string VerdictCache::keyOf(const verify::Question& question) const {
-  return properties.at(question.property) + (question.fair ? "f" : "");
+  return properties.at(question.property) +
+         (question.fair    ? "f"
+          : question.rests ? "r"
+                           : "") +
+         (question.exempt.empty()
+              ? ""
+              : "-" + digestOf(fmt::format("{}", fmt::join(question.exempt, "\n"))));
 }
 
 std::optional<KnownAnswer> VerdictCache::find(const verify::Question& question) {
   if (file.empty()) return std::nullopt;
-  const auto found = answers.find(keyOf(question));
-  return found == answers.end() ? std::nullopt : std::optional(found->second);
+  const auto found = verdicts.answers.find(keyOf(question));
+  return found == verdicts.answers.end() ? std::nullopt : std::optional(found->second);
 }
 
 void VerdictCache::keep(const verify::Question& question, const KnownAnswer& answer) {
   if (file.empty()) return;
-  auto& kept = answers[keyOf(question)] = answer;
+  auto& kept = verdicts.answers[keyOf(question)] = answer;
   kept.evidence.monitor = nullptr;
+  saveSometimes();
+}
+
+void VerdictCache::saveSometimes() {
   isSaved = false;
   if (std::chrono::steady_clock::now() - savedAt >= kBetweenSaves) (void)save();
 }
 
-/// The file begins with the digest of its rest.
-VerdictCache::Answers VerdictCache::read() const {
-  const auto bytes = disk::DiskFileSystem().read(file);
-  if (!bytes || bytes->size() < kDigits) return {};
-  const auto body = std::string_view(*bytes).substr(kDigits);
-  if (digestOf(body) != std::string_view(*bytes).substr(0, kDigits)) return {};
+void VerdictCache::begin(const std::vector<std::string>& stepNames) {
+  verdicts.steps = stepNames;
+  const auto& last = parts.lastModel();
+  if (file.empty() || last.empty() || last == file.filename()) return;
+  std::map<std::string, verify::TransitionId> numbers;
+  for (std::size_t i = 0; i < stepNames.size(); ++i)
+    numbers.emplace(stepNames[i], static_cast<verify::TransitionId>(i));
+  const Verdicts before = read(directory / std::filesystem::path(last).filename());
+  for (const auto& [key, answer] : before.answers)
+    if (!answer.holds)
+      if (auto evidence = translated(answer.evidence, before.steps, numbers))
+        violations.emplace(key, std::move(*evidence));
+}
+
+std::optional<Evidence> VerdictCache::earlier(const verify::Question& question) {
+  if (file.empty()) return std::nullopt;
+  const auto found = violations.find(keyOf(question));
+  return found == violations.end() ? std::nullopt : std::optional(found->second);
+}
+
+bool VerdictCache::isNeverIn(const std::string& text) { return parts.contains(digestOf(text)); }
+
+void VerdictCache::keepNeverIn(const std::string& text) {
+  parts.insert(digestOf(text));
+  saveSometimes();
+}
+
+VerdictCache::Verdicts VerdictCache::read(const std::filesystem::path& file) {
+  const auto json = readChecked(file);
+  if (!json) return {};
   try {
-    Answers found;
-    const Json all = Json::from_cbor(body);
-    for (const auto& [key, json] : all.items())
-      found.emplace(key,
-                    json.is_null() ? KnownAnswer{true, {}} : KnownAnswer{false, evidenceIn(json)});
+    Verdicts found;
+    found.steps = json->at("steps").get<std::vector<std::string>>();
+    for (const auto& [key, kept] : json->at("answers").items())
+      found.answers.emplace(key, answerIn(kept));
     return found;
   } catch (const Json::exception&) {
     return {};
   }
 }
 
+/// A version that was given up early is not the one that the next is compared with.
 std::optional<std::string> VerdictCache::save() {
   if (isSaved || file.empty()) return std::nullopt;
   savedAt = std::chrono::steady_clock::now();
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (error)
-    return fmt::format("the directory `{}` cannot be made: {}", directory.string(),
-                       error.message());
-  answers.merge(read());
-  Json all = Json::object();
-  for (const auto& [key, answer] : answers)
-    all[key] = answer.holds ? Json() : jsonOf(answer.evidence);
-  std::string body;
-  Json::to_cbor(all, body);
   isSaved = true;
-  if (body.size() > kLargestFile) return std::nullopt;
-  if (auto problem = disk::writeFile(file, digestOf(body) + body)) return problem;
+  Verdicts others = read(file);
+  verdicts.answers.merge(others.answers);
+  if (verdicts.steps.empty()) verdicts.steps = std::move(others.steps);
+  Json all = Json::object();
+  for (const auto& [key, answer] : verdicts.answers) all[key] = jsonOf(answer);
+  if (auto problem = writeChecked(file, {{"answers", std::move(all)}, {"steps", verdicts.steps}}))
+    return problem;
+  if (verdicts.answers.size() * 2 >= properties.size()) parts.setLastModel(file.filename());
+  if (auto problem = parts.save()) return problem;
   prune(directory);
   return std::nullopt;
 }

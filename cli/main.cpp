@@ -1,33 +1,17 @@
-// The `proskill` program. Each subcommand has a file of its own, `cli/commands/NAME.cpp` or
-// `cli/execution/NAME.cpp`. Its function `addNAME(CLI::App&, int& exitCode)` adds the subcommand
-// with its options; when the subcommand has run, its result is in `exitCode`. A new subcommand is
-// added in two places here: the include and the list in main().
+// The `proskill` program. Each subcommand has a file of its own, such as `cli/commands/NAME.cpp`.
+// Its function `addNAME`, declared in `commands.h` beside it, adds the subcommand with its options.
+// A new subcommand is added there and to the list in main().
 
-#include "cli/bridges/import.h"
-#include "cli/commands/check.h"
-#include "cli/commands/dap.h"
-#include "cli/commands/emit.h"
-#include "cli/commands/explain.h"
-#include "cli/commands/fmt.h"
-#include "cli/commands/graph.h"
-#include "cli/commands/lsp.h"
-#include "cli/commands/verify.h"
-#include "cli/commands/verify_worker.h"
-#include "cli/commands/view.h"
-#include "cli/execution/conform.h"
-#include "cli/execution/platform_host.h"
-#include "cli/execution/replay.h"
-#include "cli/execution/run.h"
-#include "cli/execution/stubs.h"
+#include "cli/bridges/commands.h"
+#include "cli/commands/commands.h"
+#include "cli/execution/commands.h"
 #include "cli/terminal/error.h"
 #include "cli/terminal/exit_code.h"
 #include "cli/terminal/help.h"
-#include "syntax/diagnostics/suggest.h"
-#include "syntax/text/utf8.h"
+#include "cli/terminal/usage.h"
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <exception>
 #include <iostream>
 
@@ -51,34 +35,7 @@ int checkOutput(int exitCode) {
 }
 
 std::string failureMessage(const CLI::App* app, const CLI::Error& error) {
-  const auto* command = app;
-  while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
-  const std::string name = command == app ? "" : " " + command->get_name();
-  const auto what = proskill::syntax::printable(error.what(), "\n\t");
-  return "error: " + what + "\nrun `proskill" + name + " --help` for more\n";
-}
-
-std::vector<std::string> commandNames(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const auto* command : app.get_subcommands([](const CLI::App*) { return true; }))
-    names.push_back(command->get_name());
-  return names;
-}
-
-/// The first word, if it was meant as a command but is not one.
-std::string unknownCommand(const CLI::App& app, int argc, char** argv) {
-  const std::string word = argc > 1 ? argv[1] : "-";
-  const auto names = commandNames(app);
-  const bool known = std::ranges::find(names, word) != names.end();
-  return word.starts_with('-') || known ? "" : word;
-}
-
-int failUnknownCommand(const CLI::App& app, const std::string& word) {
-  const auto names = commandNames(app);
-  const auto meant = proskill::syntax::nearest(word, names);
-  std::string message = "there is no command `" + word + "`";
-  if (!meant.empty()) message += "; did you mean `" + std::string(meant) + "`?";
-  return proskill::cli::fail(message + "\nrun `proskill --help` for a list");
+  return proskill::cli::usageMessage(*app, error);
 }
 
 } // namespace
@@ -93,13 +50,18 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   app.failure_message(failureMessage);
   useHelpFormat(app);
-  app.footer("`proskill COMMAND --help` shows the options of a command, with examples.");
-  for (auto add :
-       {addCheck, addConform, addDap, addEmit, addExplain, addFmt, addGraph, addHelpData, addImport,
-        addLsp, addPlatformHost, addReplay, addRun, addStubs, addVerify, addVerifyWorker, addView})
+  showBelow(app,
+            {"proskill check mission.proskill", "proskill verify mission.proskill",
+             "proskill run mission.proskill", "proskill verify --help"},
+            {{kDone, "success"},
+             {kFound, "the command found something: errors, violations, differences"},
+             {kFailed, "the command line, a file or the program is wrong"},
+             {kInconclusive, "a limit was reached before the answer"},
+             {kDiffer, "two backends disagree"}});
+  for (auto add : {addCheck, addConform, addDap, addEmit, addExplain, addFmt, addGraph, addHelpData,
+                   addImport, addLsp, addPlan, addPlatformHost, addReplay, addRun, addStubs,
+                   addVerify, addVerifyWorker, addView})
     add(app, exitCode);
-  if (const auto word = unknownCommand(app, argc, argv); !word.empty())
-    return failUnknownCommand(app, word);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

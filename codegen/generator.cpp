@@ -25,9 +25,12 @@ std::expected<Model, GenerationError> generate(const analysis::Program& program,
                   .results = {},
                   .alarmed = {},
                   .invariantActive = {},
+                  .reader = {},
+                  .writtenIn = nullptr,
                   .arguments = {},
                   .performed = {},
-                  .alarms = {}};
+                  .alarms = {},
+                  .messages = {}};
   if (context.isPerformed()) context.arguments = CallTable(program, context.plan);
   Model model;
   model.fiacre = buildProgram(context);
@@ -38,6 +41,7 @@ std::expected<Model, GenerationError> generate(const analysis::Program& program,
   if (context.isPerformed()) model.actionCalls = context.arguments.actions();
   if (context.isExecuted()) tellExecutor(context, model);
   if (context.plan.mission) model.mainSkill = context.plan.mission->name();
+  if (context.isExecuted()) addProperties(context, model);
   if (!context.isPerformed()) addChecks(context, model);
   if (options.edition == Edition::Tina || context.isRuntime()) {
     removeIdleProcesses(model.fiacre);

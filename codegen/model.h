@@ -7,6 +7,7 @@
 #include <expected>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -48,7 +49,13 @@ struct Check {
   std::vector<std::string> operands; ///< of the pattern of a property of the program, as written
   Expectation good = Expectation::Holds;
   Weight weight = Weight::Error;
-  bool fair = false;        ///< only fair infinite runs count
+  bool fair = false;            ///< only fair infinite runs count
+  std::set<std::string> exempt; ///< processes of Model::obliged that need not end in these
+  bool rests = false;           ///< not fair: see verify::Question::rests
+  std::string note;             ///< what the answer rests on, if it is the good one; may be empty
+  /// Executed edition: false if it is about a body that is not executed. Its property means
+  /// nothing.
+  bool isExecuted = true;
   std::size_t property = 0; ///< index into the model's properties
   fiacre::OriginId origin = 0;
 };
@@ -94,9 +101,23 @@ struct Signal {
   std::string name; ///< the event or the skill
   bool interrupts = false;
   std::string port;
+  bool guarded = false; ///< an event that occurs only while its `:guard` holds
   /// For an event: the time between two occurrences, and from the start to the first one, in units.
   std::optional<fiacre::Interval> every;
   fiacre::OriginId everyOrigin = 0;
+};
+
+/// Executed: a part of a message that a body prints.
+struct MessagePart {
+  /// A sum of naturals, or the value of one variable.
+  struct Term {
+    std::int64_t factor = 1;
+    std::string variable; ///< as it is shown to users: `battery`, `takeoff.status`
+  };
+  std::string text; ///< if there are no terms
+  std::vector<Term> terms;
+  std::int64_t constant = 0;
+  bool isValue = false; ///< the first term's variable alone, whatever its type
 };
 
 /// Executed: the error that a step through an origin means.
@@ -107,23 +128,34 @@ enum class Alarm : std::uint8_t {
   UnknownResult,
 };
 
+/// A process of which some states end in a fair run.
+struct Obliged {
+  std::string skill;
+  std::string description; ///< "`drive`"
+};
+
 /// The meaning of a program. One time unit of the model is numerator/denominator seconds.
 struct Model {
   fiacre::Program fiacre;
   fiacre::Provenance provenance;
-  std::vector<Check> checks;
+  std::vector<Check> checks;           ///< executed edition: of the program's own properties only
   std::vector<ActionCall> actionCalls; ///< in the runtime and executed editions
   std::vector<Performed> performed;
   std::vector<Measured> measured;
   std::vector<Signal> signals; ///< all of the program, whatever causes them
   std::map<fiacre::OriginId, Alarm> alarms;
+  std::map<fiacre::OriginId, std::vector<MessagePart>> messages; ///< executed edition
   std::string missionProcess; ///< executed edition; empty: no mission
   /// Executed: processes of the environment. Their waits have no time limit.
   std::vector<std::string> drawnProcesses;
   bool hasEnvironment = false; ///< executed edition: one of these processes causes the signals
   /// Processes of actions and delays without an upper bound. In a fair run each of these ends: see
   /// verify::Question::fair.
-  std::map<std::string, std::string> obliged; ///< with their description for users: "`drive`"
+  std::map<std::string, Obliged> obliged;
+  /// Not performed: for each skill, in the order of the plan, the condition that it runs.
+  std::vector<std::pair<std::string, fiacre::Expr>> running;
+  /// Not performed: by index in the model's `skill[]`, the skill or branch as traces call it.
+  std::vector<std::string> threads;
   syntax::Rational unit{1, 1};
   std::string beginPort; ///< comes before all else; empty: no initial value is to be chosen
   std::string mainSkill; ///< empty: a library of skills without a mission

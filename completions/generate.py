@@ -18,7 +18,7 @@ class Option:
     def __init__(self, row):
         self.names = ["-" + it for it in row["short"]] + ["--" + it for it in row["long"]]
         self.positional, self.group, self.sentence = row["positional"], row["group"], row["sentence"]
-        self.value = row["value"]
+        self.value, self.required, self.many = row["value"], row["required"], row["many"]
 
     @property
     def long(self):
@@ -30,10 +30,6 @@ class Option:
         if "|" in self.value:
             return self.value.split("|")
         return ["counts"] if self.long == "--graph" else []
-
-    @property
-    def many(self):
-        return self.long == "--reduce"
 
 
 def commands_of(program):
@@ -69,11 +65,46 @@ def roff_command(command):
     yield ".PP\n.nf\n" + roff(command["below"]) + "\n.fi"
 
 
+def roff_argument(option):
+    if option.words:
+        text = ".BR " + " | ".join(option.words)
+    else:
+        text = f".I {option.positional.upper()}" + ("..." if option.many else "")
+    return text if option.required else f".RI [ {text.split(' ', 1)[1]} ]"
+
+
+def synopsis(data):
+    """One line for each command."""
+    for command in data["commands"]:
+        arguments = [roff_argument(it) for it in command["options"] if it.positional]
+        yield "\n".join([f".B proskill {command['name']}", ".RI [ OPTION ]...", *arguments])
+
+
+def exits_of(below):
+    """The exit codes in the text below the options, with their meanings."""
+    text = re.sub(r"\n {5,}", " ", below.partition("Exit code:\n")[2])
+    return dict(re.findall(r"^  (\d+) +(.+)", text, re.M))
+
+
+def exit_status(data):
+    """What each code means in general, and for each command that has it."""
+    for code, meaning in exits_of(data["below"]).items():
+        yield f".TP\n.B {code}\n{roff(meaning)}."
+        special = [(it["name"], exits_of(it["below"]).get(code)) for it in data["commands"]]
+        if code.startswith("7"):
+            continue
+        yield ".RS"
+        yield from (f".TP\n.B {name}\n{roff(text)}." for name, text in special if text)
+        yield ".RE"
+
+
 def manual(data):
-    head = (HERE / "proskill.1.head").read_text()
-    tail = (HERE / "proskill.1.tail").read_text()
     body = "\n".join(line for command in data["commands"] for line in roff_command(command))
-    return head.replace("@VERSION@", data["version"]) + body + "\n" + tail
+    page = (HERE / "proskill.1.head").read_text() + body + "\n" + (HERE / "proskill.1.tail").read_text()
+    for mark, text in (("VERSION", data["version"]), ("SYNOPSIS", "\n.br\n".join(synopsis(data))),
+                       ("EXITS", "\n".join(exit_status(data)))):
+        page = page.replace(f"@{mark}@", text)
+    return page
 
 
 # The shells.
@@ -111,7 +142,7 @@ def zsh_value(option):
     words = " ".join(option.words)
     if option.long == "--graph":
         return ":file:_files"
-    if option.many:
+    if option.many and words:
         return f":names:_values -s , name {words}"
     if words:
         return f":value:({words})"

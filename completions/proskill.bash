@@ -9,12 +9,16 @@ _proskill_values() {
     'check --color') echo 'auto always never' ;;
     'conform --color') echo 'auto always never' ;;
     'emit --color') echo 'auto always never' ;;
+    'emit --outcomes') echo 'best all' ;;
     'emit --sv-automata') echo 'exact paper' ;;
-    'emit emit') echo 'fiacre tina hfiacre' ;;
+    'emit emit') echo 'fiacre tina hfiacre hippo bt rl pddl promela tchecker' ;;
     'explain --color') echo 'auto always never' ;;
-    'graph --kind') echo 'sv skill body calls' ;;
+    'graph --kind') echo 'sv event skill body calls' ;;
     'graph --format') echo 'dot svg png' ;;
     'graph --color') echo 'auto always never' ;;
+    'import import') echo 'bt gen rl' ;;
+    'plan --planner') echo 'aries tamer enhsp fast-downward' ;;
+    'plan --outcomes') echo 'best all' ;;
     'replay --color') echo 'auto always never' ;;
     'run --clock') echo 'real simulated Nx' ;;
     'run --format') echo 'text json' ;;
@@ -38,6 +42,7 @@ _proskill_kinds() {
   case "$1 $2" in
     'emit -o') echo '-f' ;;
     'emit --output') echo '-f' ;;
+    'emit --leaves') echo '-f' ;;
     'graph --out-dir') echo '-d' ;;
     'graph -o') echo '-f' ;;
     'graph --output') echo '-f' ;;
@@ -46,6 +51,9 @@ _proskill_kinds() {
     'import --leaves') echo '-f' ;;
     'lsp --log') echo '-f' ;;
     'lsp --cache') echo '-d' ;;
+    'plan -o') echo '-f' ;;
+    'plan --output') echo '-f' ;;
+    'plan --python') echo '-c' ;;
     'run --platform') echo '-f' ;;
     'run --script') echo '-f' ;;
     'run --record') echo '-f' ;;
@@ -53,6 +61,7 @@ _proskill_kinds() {
     'verify --environment') echo '-f' ;;
     'verify --save-traces') echo '-d' ;;
     'verify --report') echo '-d' ;;
+    'verify --checkpoint') echo '-f' ;;
     'verify --frac') echo '-c' ;;
     'verify --sift') echo '-c' ;;
     'verify --tina') echo '-c' ;;
@@ -83,19 +92,20 @@ _proskill_files() {
 _proskill_options() {
   case "$1" in
     check) echo '--help --fragment --style --fix --format --color' ;;
-    conform) echo '--help --tolerance --color' ;;
+    conform) echo '--help --tolerance --learn --also --color' ;;
     dap) echo '--help --port' ;;
-    emit) echo '--help --main --output --expanded --prove --color --rate --sv-automata' ;;
+    emit) echo '--help --main --output --expanded --prove --color --rate --goal --leaves --outcomes --sv-automata' ;;
     explain) echo '--help --list --markdown --color' ;;
     fmt) echo '--help --check --diff' ;;
     graph) echo '--help --kind --name --forbidden --format --out-dir --output --dark --color' ;;
-    import) echo '--help --output --leaves' ;;
+    import) echo '--help --output --leaves --main' ;;
     lsp) echo '--help --port --log --debounce --cache --no-cache --stdio' ;;
+    plan) echo '--help --output --name --anml --planner --outcomes --time-limit --memory-limit --python' ;;
     replay) echo '--help --color' ;;
-    run) echo '--help --main --platform --script --clock --seed --until --format --record --view --no-controls --no-open --port --color' ;;
+    run) echo '--help --main --platform --script --clock --rate --seed --until --format --record --no-record --view --no-controls --no-open --port --groot --groot-port --realtime --controls --color' ;;
     stubs) echo '--help --language --main --color' ;;
-    verify) echo '--help --property --list --properties --environment --main --format --traces --save-traces --report --graph --graph-of --strict --color --time-limit --memory-limit --class-limit --backend --frac --sift --tina --selt --ktzio --cc --fraclib --keep --difference --cache --jobs --reduce --runs --expanded --sv-automata' ;;
-    view) echo '--help --main --no-open --time-limit --memory-limit --port' ;;
+    verify) echo '--help --property --list --properties --environment --main --format --traces --save-traces --report --graph --graph-of --durations --explain-size --strict --color --time-limit --memory-limit --class-limit --checkpoint --every --backend --frac --sift --tina --selt --ktzio --cc --fraclib --keep --difference --cache --jobs --mpi --reduce --runs --expanded --sv-automata' ;;
+    view) echo '--help --main --from --no-open --time-limit --memory-limit --port' ;;
     *) echo '--help --version' ;;
   esac
 }
@@ -114,7 +124,7 @@ _proskill() {
   local kind
   kind=$(_proskill_kinds "$command" "$previous")
   if [ "$COMP_CWORD" -eq 1 ]; then
-    words="check conform dap emit explain fmt graph import lsp replay run stubs verify view $(_proskill_options)"
+    words="check conform dap emit explain fmt graph import lsp plan replay run stubs verify view $(_proskill_options)"
   elif [ "$previous" = --property ]; then
     words=$(_proskill_properties)
   elif [ -n "$kind" ]; then

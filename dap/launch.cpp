@@ -1,6 +1,9 @@
 #include "dap/launch.h"
 
+#include "disk/large_file.h"
 #include "report/ordered_json.h"
+#include "report/run/read_recording.h"
+#include "report/run/recording_part.h"
 
 #include <fmt/format.h>
 
@@ -69,13 +72,26 @@ Source sourceIn(const OrderedJson& report, const std::string& wanted,
   }
 }
 
+/// The text of the trace file. Of a long recording only a part is read.
+std::expected<std::string, std::string> textOf(const LaunchArguments& arguments,
+                                               const analysis::FileSystem& disk) {
+  const auto file = disk::LargeFile::open(arguments.trace);
+  if (!file) return disk.read(arguments.trace); // for its error
+  const report::mcap::File recording{file->size(), file->reader()};
+  if (!recording.isMcap()) return disk.read(arguments.trace);
+  auto part = report::traceOfPart(recording, {.from = arguments.from});
+  if (!part) return std::unexpected(part.error());
+  return std::move(part->text);
+}
+
 /// Reads a single trace, or a report with many.
 Source fromFile(const LaunchArguments& arguments, const analysis::FileSystem& disk) {
-  auto text = disk.read(arguments.trace);
+  auto text = textOf(arguments, disk);
   if (!text)
     return std::unexpected(
         fmt::format("cannot read `{}`: {}", arguments.trace.string(), text.error()));
   auto json = OrderedJson::parse(*text, nullptr, false);
+  if (json.is_discarded()) json = OrderedJson::parse(report::completed(*text), nullptr, false);
   if (!json.is_object())
     return std::unexpected(fmt::format("`{}` is not valid JSON", arguments.trace.string()));
   if (json.contains("properties")) return sourceIn(json, arguments.property, arguments.directory);
@@ -110,6 +126,8 @@ std::expected<LaunchArguments, std::string> readLaunch(const Json& json) {
   arguments.trace = below(arguments.directory, textIn(json, "trace"));
   arguments.property = textIn(json, "property");
   arguments.mainSkill = textIn(json, "main");
+  if (const auto from = json.value("from", Json()); from.is_number() && from.get<double>() >= 0)
+    arguments.from = from.get<double>();
   arguments.simulate = json.value("simulate", Json()) == true;
   arguments.stopOnEntry = json.value("stopOnEntry", Json()) != false;
   if (auto limit = json.value("seconds", Json()); limit.is_number() && limit.get<double>() > 0)

@@ -12,6 +12,7 @@ struct LaunchArguments {
   std::filesystem::path program; ///< empty: only a trace file
   std::string property;
   std::filesystem::path trace;
+  std::optional<double> from; ///< of a long recording: seconds since the start of the run
   bool simulate = false;
   std::string mainSkill;
   std::filesystem::path directory; ///< base of relative paths

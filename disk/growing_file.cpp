@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
@@ -29,15 +30,43 @@ int writeAt(int descriptor, std::string_view bytes, std::int64_t at) {
 } // namespace
 
 std::expected<GrowingFile, std::string> GrowingFile::create(const std::string& path) {
-  const int opened = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (opened < 0) return std::unexpected(notWritten(path, errno));
-  return GrowingFile(opened, path);
+  GrowingFile file(path);
+  if (const int error = file.open()) return std::unexpected(notWritten(path, error));
+  return file;
+}
+
+/// \return an error number of the system, or 0; as all that follow
+int GrowingFile::open() {
+  struct stat earlier {};
+  if (stat(path.c_str(), &earlier) != 0) return errno == ENOENT ? openBeside(nullptr) : errno;
+  if (!S_ISREG(earlier.st_mode)) return openInPlace();
+  if (access(path.c_str(), W_OK) != 0) return errno;
+  const int error = earlier.st_nlink > 1 ? EPERM : openBeside(&earlier);
+  if (!forbidsReplacing(error)) return error;
+  replacement.reset();
+  earlierSize = earlier.st_size;
+  return openInPlace();
+}
+
+int GrowingFile::openBeside(const struct stat* earlier) {
+  replacement = std::make_unique<Replacement>(followLinks(path));
+  descriptor = replacement->create(earlier);
+  return descriptor < 0 ? errno : 0;
+}
+
+int GrowingFile::openInPlace() {
+  descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+  return descriptor < 0 ? errno : 0;
 }
 
 GrowingFile::GrowingFile(GrowingFile&& other) noexcept
     : descriptor(std::exchange(other.descriptor, -1)),
       path(std::move(other.path)),
-      length(other.length) {}
+      replacement(std::move(other.replacement)),
+      earlierSize(other.earlierSize),
+      isBegun(other.isBegun),
+      length(other.length),
+      lastEnd(std::move(other.lastEnd)) {}
 
 GrowingFile::~GrowingFile() {
   if (descriptor >= 0) close(descriptor);
@@ -46,14 +75,38 @@ GrowingFile::~GrowingFile() {
 std::optional<std::string> GrowingFile::add(std::string_view bytes, std::string_view end) {
   buffer.assign(bytes);
   buffer += end;
-  if (const int error = writeAt(descriptor, buffer, length)) {
-    // restore the previous end, which needs no new space
-    (void)writeAt(descriptor, end, length);
-    (void)ftruncate(descriptor, length + static_cast<std::int64_t>(end.size()));
-    return notWritten(path, error);
-  }
+  if (const int error = isBegun ? append() : begin()) return notWritten(path, error);
+  isBegun = true;
   length += static_cast<std::int64_t>(bytes.size());
+  lastEnd = end;
   return std::nullopt;
+}
+
+/// Gives up an earlier content only when the first addition is written, or has its space.
+int GrowingFile::begin() {
+  const auto size = static_cast<std::int64_t>(buffer.size());
+  if (earlierSize && size > 0)
+    if (const int error = posix_fallocate(descriptor, 0, size)) {
+      (void)ftruncate(descriptor, *earlierSize);
+      return error;
+    }
+  if (const int error = writeAt(descriptor, buffer, 0)) return error;
+  if (replacement) return replacement->replaceTarget();
+  (void)ftruncate(descriptor, size); // a device has no size
+  return 0;
+}
+
+/// After an error, restores the previous end, which needs no new space.
+int GrowingFile::append() {
+  const int error = writeAt(descriptor, buffer, length);
+  if (error == 0) return 0;
+  (void)writeAt(descriptor, lastEnd, length);
+  (void)ftruncate(descriptor, length + static_cast<std::int64_t>(lastEnd.size()));
+  return error;
+}
+
+void GrowingFile::replace(std::uint64_t at, std::string_view bytes) const {
+  (void)writeAt(descriptor, bytes, static_cast<std::int64_t>(at));
 }
 
 void GrowingFile::sync() const { (void)fdatasync(descriptor); }

@@ -1,6 +1,7 @@
 #include "disk/output.h"
 
 #include "disk/descriptor.h"
+#include "disk/replacement.h"
 
 #include <fmt/format.h>
 
@@ -18,9 +19,6 @@ namespace proskill::disk {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Linux follows no more than this many.
-constexpr int kMostLinks = 40;
 
 std::string failure(std::string_view where, int error) {
   return fmt::format("{} cannot be written: {}", where, std::generic_category().message(error));
@@ -44,40 +42,12 @@ std::optional<int> ownDescriptor(const fs::path& path) {
   return read.ec == std::errc() ? std::optional(number) : std::nullopt;
 }
 
-/// Follows symbolic links, even to a file that does not exist.
-fs::path followLinks(fs::path path) {
-  std::error_code error;
-  for (int i = 0; i < kMostLinks && fs::is_symlink(path, error); ++i)
-    path = path.parent_path() / fs::read_symlink(path, error);
-  return path;
-}
-
-/// An unused name in the same directory.
-fs::path nameBeside(const fs::path& target) {
-  fs::path name;
-  std::error_code error;
-  for (int i = 0; i == 0 || fs::exists(fs::symlink_status(name, error)); ++i)
-    name = target.parent_path() / fmt::format(".proskill-{}-{}", getpid(), i);
-  return name;
-}
-
-/// Gives a new file the owner, group and permissions of an earlier one. \return whether it could
-bool giveTo(int file, const struct stat& earlier) {
-  return fchown(file, earlier.st_uid, earlier.st_gid) == 0 &&
-         fchmod(file, earlier.st_mode & 07777) == 0;
-}
-
-/// Writes the new content to a file in the same directory, and renames it.
 /// \return an error number of the system, or 0
 int replaceFile(const fs::path& target, const struct stat* earlier, const WriteTo& write) {
-  const auto fresh = nameBeside(target);
-  const mode_t mode = earlier ? earlier->st_mode & 0777 : 0666;
-  Descriptor file(open(fresh.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));
-  if (file.error() != 0) return file.error();
-  int error = earlier && !giveTo(file.number(), *earlier) ? EPERM : writeThrough(file, write);
-  if (error == 0 && rename(fresh.c_str(), target.c_str()) != 0) error = errno;
-  if (error != 0) unlink(fresh.c_str());
-  return error;
+  Replacement fresh(target);
+  Descriptor file(fresh.create(earlier));
+  const int error = writeThrough(file, write);
+  return error == 0 ? fresh.replaceTarget() : error;
 }
 
 std::string contentOf(const fs::path& path) {
@@ -113,12 +83,6 @@ int overwriteFile(const fs::path& target, const WriteTo& write) {
   if (error == 0) error = fill(target, content.view());
   if (error != 0 && access(target.c_str(), R_OK) == 0) (void)fill(target, old);
   return error;
-}
-
-/// Whether a file cannot be replaced by another, though it may be writable: somebody else owns it
-/// or its directory, or it is a mount point.
-bool forbidsReplacing(int error) {
-  return error == EACCES || error == EPERM || error == EROFS || error == EBUSY;
 }
 
 /// Overwrites a file with several hard links in place.
@@ -159,6 +123,12 @@ std::optional<std::string> writeOutput(const fs::path& path, std::string_view by
   if (!path.empty() && path != "-") return writeFile(path, bytes);
   std::cout << bytes << std::flush;
   return std::cout ? std::nullopt : std::optional(failure("standard output", errno));
+}
+
+bool replaces(const fs::path& output, const fs::path& file) {
+  if (output.empty() || output == "-") return false;
+  std::error_code missing;
+  return fs::equivalent(output, file, missing);
 }
 
 } // namespace proskill::disk

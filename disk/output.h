@@ -26,4 +26,8 @@ using WriteTo = std::function<void(std::ostream&)>;
 [[nodiscard]] std::optional<std::string> writeOutput(const std::filesystem::path& path,
                                                      std::string_view bytes);
 
+/// Whether an output would replace this file, under whatever name. Standard output replaces
+/// nothing.
+[[nodiscard]] bool replaces(const std::filesystem::path& output, const std::filesystem::path& file);
+
 } // namespace proskill::disk

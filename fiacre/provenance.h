@@ -19,17 +19,23 @@ struct Ground {
     Value,     ///< `expr` is the value that a variable would get
     Move,      ///< `expr` is the value from which a variable must not move in this way
     Cause,     ///< `expr` depends on other processes: the steps that changed it are the reason
+    Need,      ///< the step waits until `expr` is true: reported for deadlocks, not for steps
+    Holder,    ///< `text` has what the Need with this `variable` asks for while `expr` is true
   };
   Kind kind = Kind::Condition;
   std::string expr{}; ///< as printed, over the main component's variables
   /// In the program's terms. Condition: the condition; empty if the origin's description contains
-  /// it. Value: the sum, `energy − 2`. Move: the value to move to.
+  /// it. Value: the sum, `energy − 2`. Move: the value to move to. Need: what is waited for.
+  /// Holder: a skill.
   std::string text{};
-  std::string variable{};  ///< Value: the variable that would get it
+  std::string variable{};  ///< Value: the variable that would get it. Need, Holder: a resource
   bool expected = true;    ///< Condition
   bool afterwards = false; ///< evaluated after the step
   /// Value: the bounds of the variable.
   std::optional<std::pair<std::int64_t, std::int64_t>> bounds{};
+
+  /// Whether it explains why a step is not possible, rather than why it was taken.
+  [[nodiscard]] bool isOfWaits() const { return kind == Kind::Need || kind == Kind::Holder; }
   friend bool operator==(const Ground&, const Ground&) = default;
 };
 

@@ -1,49 +1,21 @@
+#include "bridge/bt/emit/emit.h"
 #include "bridge/bt/import.h"
+#include "fuzz/one_text.h"
 #include "fuzz/targets.h"
-#include "syntax/format/format.h"
-
-#include <algorithm>
 
 namespace proskill::fuzz {
 
-namespace {
-
-/// The text as every file whose name is not absolute.
-class OneText : public analysis::FileSystem {
-public:
-  explicit OneText(std::string_view text) : text(text) {}
-  [[nodiscard]] std::expected<std::string, std::string>
-  read(const std::filesystem::path& /*path*/) const override {
-    return std::string(text);
-  }
-  [[nodiscard]] std::filesystem::path canonical(const std::filesystem::path& path) const override {
-    return path.lexically_normal();
-  }
-
-private:
-  std::string_view text;
-};
-
-void errorsHavePlaces(const bridge::bt::Errors& errors) {
-  expect(!errors.empty(), "what is not imported has an error");
-  for (const auto& [place, message] : errors)
-    expect(place.line > 0 && place.column > 0 && !message.empty(), "an error has a place");
-}
-
-void isProgram(const std::string& text) {
-  const auto document = syntax::Document::parse(text);
-  expect(syntax::format(document).empty(), "an imported program is formatted");
-  const auto program = analysis::load(OneText(text), "program.proskill");
-  for (const auto& finding : analysis::check(program))
-    expect(finding.severity != syntax::Severity::Error, "an imported program has no errors");
-}
-
-} // namespace
-
 void bt(std::string_view bytes) {
-  const auto imported = bridge::bt::importTree(OneText(bytes), "tree.xml", bridge::bt::Leaves());
+  const auto imported = bridge::bt::importTree(OneText(bytes), "tree.xml", bridge::Leaves(), {});
   if (!imported) return errorsHavePlaces(imported.error());
   isProgram(imported->text);
+  const auto program = analysis::load(OneText(imported->text), "program.proskill");
+  const auto emitted = bridge::bt::emitTree(program, {});
+  if (!emitted) return errorsHavePlaces(emitted.error());
+  const auto leaves = bridge::Leaves::read(emitted->leaves);
+  expect(leaves.has_value(), "a file of leaves that was written can be read");
+  const auto again = bridge::bt::importTree(OneText(emitted->tree.text), "tree.xml", *leaves, {});
+  expect(again.has_value(), "a tree that was written can be imported");
 }
 
 } // namespace proskill::fuzz

@@ -9,12 +9,16 @@ case $name in
 proskill) seeds=(examples/drone examples/arm examples/lift examples/rover) ;;
 fiacre) seeds=(examples/fiacre) ;;
 bt) seeds=(examples/patrol) ;;
+gen) seeds=(examples/gripper) ;;
+rl) seeds=(examples/crane) ;;
 *) seeds=() ;;
 esac
 # What was tried with profit stays in build/, so that the next run goes on from there.
 mkdir -p "$work" build/fuzz/findings
 log=build/fuzz/$name.log
-"build/fuzz/bin/fuzz_$name" "$work" "fuzz/corpus/$name" "${seeds[@]}" -dict="fuzz/$name.dict" \
+words=()
+if [ -f "fuzz/$name.dict" ]; then words=(-dict="fuzz/$name.dict"); fi
+"build/fuzz/bin/fuzz_$name" "$work" "fuzz/corpus/$name" "${seeds[@]}" "${words[@]}" \
   -seed="$seed" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=3000 -max_len=3000 -print_final_stats=1 \
   -artifact_prefix="build/fuzz/findings/$name-" >"$log" 2>&1
 status=$?

@@ -18,6 +18,12 @@ void protocol(std::string_view bytes);
 void http(std::string_view bytes);
 /// As a behavior tree in XML: reads and translates it, and checks the program.
 void bt(std::string_view bytes);
+/// As a skillset of the robot language: the same, and writes it again.
+void rl(std::string_view bytes);
+/// As a component of GenoM3: reads and translates it, and checks the program.
+void gen(std::string_view bytes);
+/// As the side file about the leaves of a behavior tree: reads it, and translates a tree with it.
+void leaves(std::string_view bytes);
 /// As output of the Tina tools.
 void tina(std::string_view bytes);
 

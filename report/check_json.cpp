@@ -1,5 +1,5 @@
 #include "report/check_report.h"
-#include "report/ordered_json.h"
+#include "report/original_json.h"
 #include "report/text/render.h"
 #include "report/text/source_place.h"
 
@@ -19,19 +19,23 @@ OrderedJson locationJson(SourcePlaces& places, analysis::Location location) {
           {"end", placeJson(places.end(location), location.range.end)}};
 }
 
-OrderedJson diagnosticJson(SourcePlaces& places, const syntax::Diagnostic& diagnostic) {
+OrderedJson diagnosticJson(SourcePlaces& places, analysis::ProgramOriginals& originals,
+                           const syntax::Diagnostic& diagnostic) {
   OrderedJson related = OrderedJson::array(), fixes = OrderedJson::array();
   for (const syntax::Related& it : diagnostic.related)
     related.push_back({{"message", it.message}, {"location", locationJson(places, it.location)}});
   for (const syntax::Fix& it : diagnostic.fixes)
     fixes.push_back(
         {{"title", it.title}, {"location", locationJson(places, it.location)}, {"text", it.text}});
-  return {{"code", syntax::info(diagnostic.code).id},
-          {"severity", words(diagnostic.severity)},
-          {"message", diagnostic.message},
-          {"location", locationJson(places, diagnostic.location)},
-          {"related", related},
-          {"fixes", fixes}};
+  OrderedJson json{{"code", syntax::info(diagnostic.code).id},
+                   {"severity", words(diagnostic.severity)},
+                   {"message", diagnostic.message},
+                   {"location", locationJson(places, diagnostic.location)},
+                   {"related", related},
+                   {"fixes", fixes}};
+  if (const auto original = originals.of(diagnostic.location))
+    json["original"] = originalJson(*original);
+  return json;
 }
 
 } // namespace
@@ -40,8 +44,9 @@ void writeCheckJson(std::ostream& out, std::span<const CheckedProgram> programs)
   OrderedJson diagnostics = OrderedJson::array();
   for (const CheckedProgram& checked : programs) {
     SourcePlaces places(checked.program);
+    analysis::ProgramOriginals originals(checked.program);
     for (const syntax::Diagnostic& diagnostic : checked.diagnostics)
-      diagnostics.push_back(diagnosticJson(places, diagnostic));
+      diagnostics.push_back(diagnosticJson(places, originals, diagnostic));
   }
   const FindingCounts counts = countFindings(programs);
   const OrderedJson report{{"version", 1},

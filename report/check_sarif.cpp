@@ -1,5 +1,6 @@
 #include "ide/description/explanation.h"
 #include "report/check_report.h"
+#include "report/original_json.h"
 #include "report/sarif.h"
 #include "report/text/source_place.h"
 
@@ -27,7 +28,8 @@ OrderedJson fixJson(SourcePlaces& places, const syntax::Fix& fix) {
           {"artifactChanges", OrderedJson::array({change})}};
 }
 
-OrderedJson resultJson(SourcePlaces& places, const syntax::Diagnostic& diagnostic) {
+OrderedJson resultJson(SourcePlaces& places, analysis::ProgramOriginals& originals,
+                       const syntax::Diagnostic& diagnostic) {
   OrderedJson result{
       {"ruleId", syntax::info(diagnostic.code).id},
       {"ruleIndex", static_cast<std::size_t>(diagnostic.code)},
@@ -40,6 +42,8 @@ OrderedJson resultJson(SourcePlaces& places, const syntax::Diagnostic& diagnosti
     location["message"] = {{"text", it.message}};
     related.push_back(std::move(location));
   }
+  if (const auto original = originals.of(diagnostic.location))
+    related.push_back(sarifOriginal(*original));
   for (const syntax::Fix& it : diagnostic.fixes) fixes.push_back(fixJson(places, it));
   if (!related.empty()) result["relatedLocations"] = std::move(related);
   if (!fixes.empty()) result["fixes"] = std::move(fixes);
@@ -64,8 +68,9 @@ void writeCheckSarif(std::ostream& out, std::span<const CheckedProgram> programs
   OrderedJson results = OrderedJson::array();
   for (const CheckedProgram& checked : programs) {
     SourcePlaces places(checked.program);
+    analysis::ProgramOriginals originals(checked.program);
     for (const syntax::Diagnostic& diagnostic : checked.diagnostics)
-      results.push_back(resultJson(places, diagnostic));
+      results.push_back(resultJson(places, originals, diagnostic));
   }
   writeSarifLog(out, rulesJson(), std::move(results));
 }

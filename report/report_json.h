@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ide/verdicts/durations.h"
+#include "ide/verdicts/size_explanation.h"
 #include "ide/verdicts/verification.h"
 #include "report/ordered_json.h"
 
@@ -20,6 +22,8 @@ struct VerifyReport {
   std::string mainSkill; ///< empty: a library of skills
   std::string backend{}; ///< the backend: `tina`, `both`; empty: the engine alone
   ShowTraces traces = ShowTraces::All;
+  std::vector<ide::SkillDuration> durations{}; ///< if they were asked for
+  std::optional<ide::SizeExplanation> size{};  ///< likewise
 };
 
 [[nodiscard]] OrderedJson reportJson(const VerifyReport& report);
@@ -33,5 +37,6 @@ struct VerifyReport {
 [[nodiscard]] OrderedJson stepJson(const analysis::Program& program, const ide::TraceStep& step);
 [[nodiscard]] OrderedJson traceJson(const analysis::Program& program, const ide::Trace& trace);
 [[nodiscard]] OrderedJson explorationJson(const verify::Exploration& exploration);
+[[nodiscard]] OrderedJson durationsJson(const std::vector<ide::SkillDuration>& durations);
 
 } // namespace proskill::report

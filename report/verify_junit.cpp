@@ -1,5 +1,5 @@
 #include "report/verify_report.h"
-#include "syntax/text/utf8.h"
+#include "syntax/text/xml.h"
 
 #include <fmt/format.h>
 
@@ -11,27 +11,6 @@
 namespace proskill::report {
 
 namespace {
-
-/// Whether XML 1.0 allows a character, escaped or not.
-bool isXml(char32_t c) {
-  return (c >= 0x20 && c != 0xFFFE && c != 0xFFFF) || c == U'\n' || c == U'\t' || c == U'\r';
-}
-
-/// Text for an element or an attribute. White space is escaped, since parsers would normalise it.
-std::string escape(std::string_view text) {
-  std::string out;
-  syntax::forEachCharacter(text, [&](char32_t character, std::string_view bytes) {
-    switch (character) {
-    case U'&': out += "&amp;"; break;
-    case U'<': out += "&lt;"; break;
-    case U'>': out += "&gt;"; break;
-    case U'"': out += "&quot;"; break;
-    case U'\r': out += "&#13;"; break;
-    default: out += isXml(character) ? bytes : syntax::kReplacement;
-    }
-  });
-  return out;
-}
 
 struct Suite {
   std::string name;
@@ -63,23 +42,25 @@ std::string traceText(const VerifyReport& report, const ide::VerdictRow& row) {
 
 void writeCase(std::ostream& out, const VerifyReport& report, const ide::VerdictRow& row) {
   out << fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"0\"",
-                     escape(row.check->subject), escape(row.check->name));
+                     syntax::xmlAttribute(row.check->subject),
+                     syntax::xmlAttribute(row.check->name));
   if (row.location) {
     const auto& file = report.program.files[row.location->file];
-    out << fmt::format(" file=\"{}\" line=\"{}\"", escape(file.path.string()),
+    out << fmt::format(" file=\"{}\" line=\"{}\"", syntax::xmlAttribute(file.path.string()),
                        file.document.lines().position(row.location->range.begin).line + 1);
   }
   out << ">\n";
   if (fails(row))
     out << fmt::format("      <failure type=\"{}\" message=\"{}\">{}</failure>\n",
-                       ide::toString(row.verdict), escape(row.check->description),
-                       escape(traceText(report, row)));
+                       ide::toString(row.verdict), syntax::xmlAttribute(row.check->description),
+                       syntax::xmlText(traceText(report, row)));
   else if (row.verdict == ide::Verdict::Inconclusive)
-    out << fmt::format("      <skipped message=\"inconclusive: {}\"/>\n", escape(row.reason));
+    out << fmt::format("      <skipped message=\"inconclusive: {}\"/>\n",
+                       syntax::xmlAttribute(row.reason));
   else if (row.bad())
     out << fmt::format("      <system-out>warning: {} ({})\n{}</system-out>\n",
-                       escape(row.check->description), ide::toString(row.verdict),
-                       escape(traceText(report, row)));
+                       syntax::xmlText(row.check->description), ide::toString(row.verdict),
+                       syntax::xmlText(traceText(report, row)));
   out << "    </testcase>\n";
 }
 
@@ -95,12 +76,12 @@ void writeJUnit(std::ostream& out, const VerifyReport& report) {
   auto failed = [](const ide::VerdictRow* row) { return fails(*row); };
   out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
   out << fmt::format("<testsuites name=\"{}\" time=\"{:.3f}\">\n",
-                     escape(report.program.files.front().path.string()),
+                     syntax::xmlAttribute(report.program.files.front().path.string()),
                      report.result.exploration.seconds);
   for (const auto& suite : suites(report.result.rows)) {
     out << fmt::format(
         "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" skipped=\"{}\" time=\"0\">\n",
-        escape(suite.name), suite.rows.size(), count(suite.rows, failed),
+        syntax::xmlAttribute(suite.name), suite.rows.size(), count(suite.rows, failed),
         count(suite.rows, skipped));
     for (const auto* row : suite.rows) writeCase(out, report, *row);
     out << "  </testsuite>\n";

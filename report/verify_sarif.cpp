@@ -1,6 +1,8 @@
+#include "report/original_json.h"
 #include "report/sarif.h"
 #include "report/text/source_place.h"
 #include "report/verify_report.h"
+#include "syntax/text/seconds.h"
 
 #include <ostream>
 #include <set>
@@ -15,7 +17,7 @@ OrderedJson physical(const analysis::Program& program, analysis::Location locati
 }
 
 OrderedJson flowStep(const VerifyReport& report, const ide::TraceStep& step) {
-  auto text = step.actor + " " + step.description + " at " + syntax::toString(step.date) + " s";
+  auto text = step.actor + " " + step.description + " at " + syntax::secondsText(step.date);
   OrderedJson location{{"message", {{"text", text}}}};
   if (step.location) location.update(physical(report.program, *step.location));
   return {{"location", location}};
@@ -35,6 +37,7 @@ OrderedJson resultJson(const VerifyReport& report, const ide::VerdictRow& row) {
                    {"partialFingerprints", {{"property/v1", row.check->name}}}};
   if (row.location)
     json["locations"] = OrderedJson::array({physical(report.program, *row.location)});
+  if (row.original) json["relatedLocations"] = OrderedJson::array({sarifOriginal(*row.original)});
   if (const ide::Trace* trace = shownTrace(row, report.traces)) {
     OrderedJson steps = OrderedJson::array();
     for (const auto& step : trace->steps) steps.push_back(flowStep(report, step));

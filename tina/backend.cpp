@@ -105,8 +105,7 @@ private:
   void choose() {
     for (std::size_t i = 0; i < questions.size(); ++i) {
       const auto& property = program.properties[questions[i].property];
-      const auto kind = property.pattern.kind;
-      if (kind == PatternKind::Progress || kind == PatternKind::NoError)
+      if (!fiacre::isOfFiacre(property.pattern.kind))
         outcome.result.answers[i].reason = "Fiacre cannot express this property";
       else if (questions[i].fair)
         outcome.result.answers[i].reason = "Tina cannot exclude unfair runs; with `:fair nil` or "
@@ -169,9 +168,18 @@ private:
     if (!verdicts)
       return Stop{false, fmt::format("the verdicts of `selt` on {} formulas are not understood",
                                      order.size())};
-    for (std::size_t k = 0; k < order.size(); ++k)
-      answerOf(k).truth = (*verdicts)[k] ? Truth::True : Truth::False;
+    for (std::size_t k = 0; k < order.size(); ++k) note(k, (*verdicts)[k]);
     return std::nullopt;
+  }
+
+  /// Runs of Tina end only where no step is possible.
+  void note(std::size_t k, bool isTrue) {
+    auto& answer = answerOf(k);
+    answer.truth = isTrue ? Truth::True : Truth::False;
+    if (!isTrue || !asked[k].rests) return;
+    answer.truth = Truth::Unknown;
+    answer.reason = "it holds in the runs that Tina considers, in which an action without a time "
+                    "limit does not last for ever";
   }
 
   /// Finds traces of false formulas. A missing trace does not invalidate a verdict, unless the

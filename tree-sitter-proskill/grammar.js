@@ -82,7 +82,44 @@ const connectives = (prefix, operand) => ({
 const observation = ($, head, ...names) =>
   form($, field('operator', head), leading($, names, $.list));
 
-const temporal = ($, head) => form($, field('operator', head), repeat($._property_operand));
+/** Operators of LTL that are written as one letter, and their names here. */
+const LETTERS = {
+  G: 'globally',
+  F: 'finally',
+  X: 'next',
+  U: 'until',
+  W: 'weak_until',
+  R: 'release',
+  M: 'strong_release',
+};
+
+/** A letter is an operator only before a formula. Before a value it is a variable: `(F On)`. */
+const byLetter = ($, letter) =>
+  seq(field('operator', letter), choice($._proposition_form, $.boolean));
+
+const temporal = ($, name, ...words) => {
+  const [letter] = Object.entries(LETTERS).find(([_, of]) => of === name);
+  const heads = [...words.map(word => field('operator', word)), byLetter($, letter)];
+  return form($, choice(...heads), repeat($._property_operand));
+};
+
+/** A test whose variable may be called like an operator. */
+const propertyTest = $ =>
+  form(
+    $,
+    choice(
+      seq(field('variable', $.symbol), repeat(field('value', $._property_operand))),
+      seq(
+        field('variable', choice(...Object.keys(LETTERS).map(letter => alias(letter, $.symbol)))),
+        optional(
+          seq(
+            field('value', choice($._loose, $.keyword)),
+            repeat(field('value', $._property_operand)),
+          ),
+        ),
+      ),
+    ),
+  );
 
 const pattern = ($, head) =>
   form(
@@ -104,12 +141,15 @@ const PATTERNS = [
   'always',
   'never',
   'reachable',
+  'always_reachable',
   'deadlockfree',
   'infinitelyoften',
   'leadsto',
   'precedes',
   'present',
   'absent',
+  'longest',
+  'shortest',
   'ltl',
 ];
 
@@ -259,7 +299,7 @@ module.exports = grammar({
     transition_list: $ => form($, repeat(choice($._word, $.transition))),
     transition: $ => form($, leading($, ['from', 'to'], $.list)),
 
-    event: $ => definition($, 'defevent', $.every_field, $.effects_field),
+    event: $ => definition($, 'defevent', $.every_field, $.guard_field, $.effects_field),
     every_field: $ => keyed($, ':every', $.list),
 
     resource: $ => definition($, 'defresource', $.capacity_field),
@@ -505,17 +545,24 @@ module.exports = grammar({
         $.finally,
         $.next,
         $.until,
+        $.weak_until,
+        $.release,
+        $.strong_release,
       ),
     ...connectives('_property_', '_property_operand'),
+    _property_test: propertyTest,
     running: $ => observation($, 'running', 'skill'),
     called: $ => observation($, 'called', 'skill'),
     ended: $ => observation($, 'ended', 'skill', 'status'),
     occurs: $ => observation($, 'occurs', 'event'),
     at: $ => observation($, 'at', 'label'),
     value: $ => observation($, 'value', 'variable', 'value'),
-    globally: $ => temporal($, '[]'),
-    finally: $ => temporal($, '<>'),
-    next: $ => temporal($, '()'),
-    until: $ => temporal($, 'until'),
+    globally: $ => temporal($, 'globally', '[]'),
+    finally: $ => temporal($, 'finally', '<>'),
+    next: $ => temporal($, 'next', '()'),
+    until: $ => temporal($, 'until', 'until'),
+    weak_until: $ => temporal($, 'weak_until'),
+    release: $ => temporal($, 'release'),
+    strong_release: $ => temporal($, 'strong_release'),
   },
 });

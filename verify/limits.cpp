@@ -41,7 +41,12 @@ std::string LimitWatch::met(const Progress& progress, std::uint64_t growth) {
   }
   if (auto limit = passed(progress.bytes, growth); !limit.empty()) return limit;
   const auto& classes = options.limits.classes;
-  return classes && progress.classes >= *classes ? "the limit of classes was reached" : "";
+  return noted(classes && progress.classes >= *classes ? "the limit of classes was reached" : "");
+}
+
+std::string LimitWatch::noted(std::string limit) {
+  if (!limit.empty()) last = limit;
+  return limit;
 }
 
 void LimitWatch::look() {
@@ -53,10 +58,12 @@ void LimitWatch::look() {
 /// process
 std::string LimitWatch::passed(std::uint64_t counted, std::uint64_t growth) {
   const auto& limits = options.limits;
-  if (options.cancelled && options.cancelled->load(std::memory_order_relaxed)) return "cancelled";
-  if (limits.seconds && seconds() >= *limits.seconds) return "the time limit was reached";
+  if (options.cancelled && options.cancelled->load(std::memory_order_relaxed))
+    return noted("cancelled");
+  if (limits.seconds && now() - start >= *limits.seconds)
+    return noted("the time limit was reached");
   if (limits.bytes && std::max(counted, resident(now())) + growth >= *limits.bytes)
-    return "the memory limit was reached";
+    return noted("the memory limit was reached");
   return {};
 }
 

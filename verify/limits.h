@@ -3,6 +3,7 @@
 #include "verify/verify.h"
 
 #include <chrono>
+#include <vector>
 
 namespace proskill::verify {
 
@@ -27,7 +28,32 @@ public:
   void check() {
     if (++calls >= kBetweenLooks) look();
   }
-  [[nodiscard]] double seconds() const { return now() - start; }
+  /// Call this before each step that adds to a vector that may be large.
+  /// \throw LimitMet if the vector would exceed the memory limit when it grows
+  template <class T> void checkGrowth(const std::vector<T>& all, std::size_t more) {
+    constexpr std::size_t kLarge = 1 << 20; // bytes
+    if (all.capacity() - all.size() >= more || all.capacity() * sizeof(T) < kLarge) return;
+    if (auto limit = passed(0, 2 * all.capacity() * sizeof(T)); !limit.empty())
+      throw LimitMet{std::move(limit)};
+  }
+  /// Call this before tables may grow by so many bytes. Classes are not counted.
+  /// \throw LimitMet
+  void checkGrowth(std::uint64_t growth) {
+    if (auto limit = passed(0, growth); !limit.empty()) throw LimitMet{std::move(limit)};
+  }
+  /// The number of threads to use by a search that has found so many classes, of which so many
+  /// wait to be expanded.
+  [[nodiscard]] unsigned jobsFor(std::uint64_t classes, std::uint64_t waiting) const {
+    const bool isShort = classes < options.classesBeforeThreads ||
+                         waiting < std::uint64_t{options.nodesBeforeThreads} * options.jobs;
+    return isShort ? 1 : options.jobs;
+  }
+  /// Seconds since the start, and those that earlier processes took for the same verification.
+  [[nodiscard]] double seconds() const { return now() - start + earlier; }
+  void addEarlier(double seconds) { earlier = seconds; }
+  /// The limit that was met since forgetMet(); empty if there is none.
+  [[nodiscard]] const std::string& lastMet() const { return last; }
+  void forgetMet() { last.clear(); }
 
 private:
   using Clock = std::chrono::steady_clock;
@@ -36,15 +62,18 @@ private:
 
   void look();
   [[nodiscard]] double now() const;
+  [[nodiscard]] std::string noted(std::string limit);
   [[nodiscard]] std::string passed(std::uint64_t counted, std::uint64_t growth);
   [[nodiscard]] std::uint64_t resident(double moment);
 
   const Options& options;
   double start = 0;
+  double earlier = 0; ///< seconds
   double reported = 0;
   double measured = -1; ///< when `bytes` was measured
   std::uint64_t bytes = 0;
   std::uint32_t calls = 0;
+  std::string last; ///< the limit that was met
 };
 
 /// Resident memory of this process in bytes; 0 if the system does not report it.

@@ -13,7 +13,9 @@
 
 namespace proskill::verify {
 
-class AnswerStore; ///< verify/answer_store.h
+class AnswerStore;     ///< verify/answer_store.h
+class CheckpointStore; ///< verify/checkpoint_store.h
+class Ranks;           ///< verify/ranks.h
 
 /// A question about a model: one of its properties, by index.
 struct Question {
@@ -21,6 +23,11 @@ struct Question {
   /// For properties of infinite runs: only fair runs count. A run is fair if time diverges in it
   /// and no process of Options::obliged stays for ever in a state that it can leave by itself.
   bool fair = false;
+  std::set<std::string> exempt; ///< of Options::obliged; these may stay for ever
+  /// If not only fair runs count: a run may also end where no step is forced, and time passes there
+  /// for ever. Otherwise a run ends only where no step is possible, as for Tina.
+  bool rests = false;
+  friend auto operator<=>(const Question&, const Question&) = default;
 };
 
 /// The truth value of the property as written: `absent X` is false if X is reachable.
@@ -37,6 +44,7 @@ struct Change {
 struct Date {
   std::int64_t value = 0;
   bool strict = false; ///< excluded: dates arbitrarily close to it are meant
+  friend bool operator==(const Date&, const Date&) = default;
 };
 
 /// A fact that decided something: a variable's value, and since when it had this value.
@@ -78,6 +86,12 @@ struct Step {
   bool relevant = true;              ///< to what the trace shows: see trace/causes.h
 };
 
+/// What an instance waits for where no step is possible.
+struct Wait {
+  fiacre::OriginId origin = 0;        ///< of its next step
+  std::vector<std::size_t> grounds{}; ///< of the origin: needs that are not met, and their holders
+};
+
 /// What may follow the last step of a run, or the start of its loop.
 enum class Rest : std::uint8_t {
   No,      ///< a step must follow sooner or later; or this was not computed
@@ -97,7 +111,15 @@ struct Trace {
   Rest rest = Rest::No;            ///< if the whole run is the witness
   std::vector<Support> support{};  ///< facts by which the last state shows it, if it is a condition
   /// What instances wait for if no step is possible: see waitsIn()
-  std::vector<fiacre::OriginId> waits{};
+  std::vector<Wait> waits{};
+};
+
+/// The answer to a question for a time, in units of the model.
+struct Duration {
+  bool happens = false; ///< there is something to measure; otherwise nothing else is set
+  bool bounded = true;  ///< the longest time is finite
+  Date value;           ///< the least upper bound, or the greatest lower bound, of all times
+  friend bool operator==(const Duration&, const Duration&) = default;
 };
 
 struct Answer {
@@ -106,6 +128,9 @@ struct Answer {
   std::string reason;         ///< if unknown: the limit that was met, or what is not supported
   /// Number of steps of the witness, also if its trace is not needed.
   std::optional<std::size_t> steps{};
+  /// For questions for a time, which are True if they are decided. The trace then shows this time;
+  /// if the time itself is excluded, one that is closer to it than a unit.
+  std::optional<Duration> duration{};
 };
 
 /// Methods against state-space explosion. Each has its own file; docs/verification.md argues that
@@ -144,12 +169,17 @@ struct Options {
                                  Reduction::StubbornSets,  Reduction::Slices,
                                  Reduction::Inclusion,     Reduction::Extrapolation};
   /// A system with so few classes is explored as a whole: slices are for what is larger, and so are
-  /// searches that are led to one goal.
-  std::uint32_t classesBeforeSlices = 30'000;
+  /// searches that are led to one goal. Large slices and long led searches have to wait for 30
+  /// times as many.
+  std::uint32_t classesBeforeSlices = 1'000;
   std::uint32_t classesOfLedSearches = 30'000; ///< in total; 0: no such searches
   Limits limits;
+  /// Threads for a long breadth-first search of states. Verdicts, counts and traces do not depend
+  /// on their number. With several, `clock` may be called by all of them.
   unsigned jobs = 1;
-  std::set<std::string> obliged; ///< names of processes; see Question::fair
+  std::uint32_t classesBeforeThreads = 50'000; ///< a smaller search is over before they pay
+  std::uint32_t nodesBeforeThreads = 64;       ///< for each thread: fewer are expanded by one
+  std::set<std::string> obliged;               ///< names of processes; see Question::fair
   const std::atomic<bool>* cancelled = nullptr;
   std::function<void(const Progress&)> progress; ///< called a few times a second
   /// Receives the index of each question and its answer, as soon as it is decided. The result then
@@ -158,8 +188,17 @@ struct Options {
   /// Whether the trace of a question's answer is needed; empty: all are. The witness is replayed in
   /// any case.
   std::function<bool(std::size_t)> wantsTrace;
+  /// Whether a run is found that shows a time that was asked for. Without it, answers with times
+  /// have no witness, and take half the time.
+  bool showsTimes = true;
   std::function<double()> clock;  ///< seconds since some moment; empty: the system's clock
   AnswerStore* answers = nullptr; ///< stored answers of this model; decided answers are added
+  /// Where the state of the verification is saved from time to time, and when a limit ends it. If
+  /// it has an earlier state, the verification goes on from there.
+  CheckpointStore* checkpoint = nullptr;
+  /// The processes that share long searches for states. All of them call the same functions with
+  /// the same arguments; limits hold for each. The results are those of rank 0.
+  Ranks* ranks = nullptr;
 };
 
 /// Size and cost of an exploration.
@@ -174,6 +213,9 @@ struct Exploration {
   std::string stopped;      ///< the limit that was met, if the exploration is not complete
   std::uint64_t known = 0;  ///< questions that Options::answers had an answer to
   std::uint64_t sliced = 0; ///< number of questions answered by slices
+  unsigned ranks = 0;       ///< Options::ranks, if they shared a search; what they sent:
+  std::uint64_t messages = 0;
+  std::uint64_t sentBytes = 0;
 };
 
 struct Result {

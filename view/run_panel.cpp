@@ -44,7 +44,9 @@ void RunPanel::finish(const runtime::RunResult& ended) {
     result = {{"why", report::toWords(ended.end)},
               {"mission", ended.missionStatus},
               {"bad", ended.bad},
-              {"date", seconds(ended.date)}};
+              {"date", seconds(ended.date)},
+              {"properties",
+               report::runPropertiesJson({observed.program, observed.executable}, ended.verdicts)}};
     if (!ended.failure.empty()) result["failure"] = ended.failure;
   }
   feed.finish();
@@ -111,6 +113,7 @@ OrderedJson RunPanel::run() {
           {"clock", clockOf(observed.speed)},
           {"whyNoControl", orNull(observed.whyNoControl)},
           {"whyNoPause", orNull(observed.whyNoPause)},
+          {"properties", report::runPropertiesJson({observed.program, observed.executable}, {})},
           {"signals", signals()},
           {"status", status()}};
 }

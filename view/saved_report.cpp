@@ -1,5 +1,6 @@
 #include "disk/disk.h"
 #include "report/ordered_json.h"
+#include "report/run/read_recording.h"
 #include "view/panel_data.h"
 
 #include <algorithm>
@@ -12,7 +13,7 @@ namespace {
 
 /// Whether a recorded run has no faults.
 bool isGoodRun(const OrderedJson& recording) {
-  static const std::set<std::string> kBad{"undershoot", "overshoot", "alarm", "fault"};
+  static const std::set<std::string> kBad{"undershoot", "overshoot", "alarm", "fault", "violated"};
   const auto steps = recording.find("steps");
   return steps == recording.end() || std::ranges::none_of(*steps, [](const OrderedJson& step) {
            const auto remark = step.is_object() ? step.find("remark") : step.end();
@@ -124,15 +125,16 @@ private:
 std::expected<std::unique_ptr<PanelData>, std::string> savedReport(const std::string& file,
                                                                    const std::string& text) {
   auto json = OrderedJson::parse(text, nullptr, false);
+  if (json.is_discarded()) json = OrderedJson::parse(report::completed(text), nullptr, false);
   if (json.is_discarded()) return std::unexpected("`" + file + "` is not valid JSON");
-  const bool trace = json.is_object() && json.contains("steps") && json["steps"].is_array();
-  const bool report =
+  const bool isTrace = json.is_object() && json.contains("steps") && json["steps"].is_array();
+  const bool isReport =
       json.is_object() && json.contains("properties") && json["properties"].is_array();
-  if (!trace && !report)
+  if (!isTrace && !isReport)
     return std::unexpected("`" + file + "` is neither a report nor a trace of `proskill verify`");
   try {
-    return std::make_unique<SavedReport>(file,
-                                         trace ? asReport(file, std::move(json)) : std::move(json));
+    return std::make_unique<SavedReport>(file, isTrace ? asReport(file, std::move(json))
+                                                       : std::move(json));
   } catch (const OrderedJson::exception&) {
     return std::unexpected("`" + file + "` is not a report of `proskill verify`");
   }

@@ -69,6 +69,9 @@ std::size_t drawOutcome(Builder& builder, NodeRole role, const syntax::Outcome& 
 Graph drawStateVariable(const analysis::Program& program,
                         const analysis::Definition<syntax::StateVariable>& variable,
                         bool forbidden);
+Graph drawEvent(const analysis::Program& program, const analysis::Definition<syntax::Event>& event);
+/// Whether the event has `:every` or a `:guard`. Others have nothing to show but their effects.
+bool hasTimesOfItsOwn(const analysis::Definition<syntax::Event>& event);
 Graph drawBasicSkill(const analysis::Program& program, const SkillDefinition& skill);
 Graph drawBody(const analysis::Program& program, const SkillDefinition& skill);
 Graph drawEnvironment(const analysis::Program& program,

@@ -39,6 +39,9 @@ std::expected<Graph, std::string> draw(const analysis::Program& program, const R
     if (const auto* variable = program.stateVariables.find(name))
       return drawStateVariable(program, *variable, request.forbidden);
     return std::unexpected(fmt::format("there is no state variable `{}`", name));
+  case Kind::Event:
+    if (const auto* event = program.events.find(name)) return drawEvent(program, *event);
+    return std::unexpected(fmt::format("there is no event `{}`", name));
   case Kind::Skill:
     if (const auto* skill = program.skills.find(name))
       return skill->node().body ? drawBody(program, *skill) : drawBasicSkill(program, *skill);
@@ -58,6 +61,10 @@ std::vector<Request> allPictures(const analysis::Program& program, Kind kind) {
   case Kind::StateVariable:
     for (const auto& each : program.stateVariables.all) add(each.name());
     break;
+  case Kind::Event:
+    for (const auto& each : program.events.all)
+      if (hasTimesOfItsOwn(each)) add(each.name());
+    break;
   case Kind::Skill:
     for (const auto& each : program.skills.all)
       if (!each->body) add(each.name());
@@ -74,7 +81,7 @@ std::vector<Request> allPictures(const analysis::Program& program, Kind kind) {
 
 std::vector<Request> allPictures(const analysis::Program& program) {
   std::vector<Request> found;
-  for (auto kind : {Kind::StateVariable, Kind::Skill, Kind::Body, Kind::Calls})
+  for (auto kind : {Kind::StateVariable, Kind::Event, Kind::Skill, Kind::Body, Kind::Calls})
     for (auto& request : allPictures(program, kind)) found.push_back(std::move(request));
   return found;
 }

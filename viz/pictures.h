@@ -15,6 +15,7 @@ namespace proskill::viz {
 
 enum class Kind : std::uint8_t {
   StateVariable, ///< its values, and the allowed moves between them
+  Event,         ///< when it occurs, and its effects
   Skill,         ///< a basic skill from its call to its outcomes; a composite skill's body
   Body,          ///< the statements of a composite skill or of an environment
   Calls,         ///< which skills call and interrupt which
@@ -22,6 +23,7 @@ enum class Kind : std::uint8_t {
 
 /// The names of kinds, on the command line and in JSON.
 inline constexpr std::array kKindWords{std::pair<std::string_view, Kind>{"sv", Kind::StateVariable},
+                                       std::pair<std::string_view, Kind>{"event", Kind::Event},
                                        std::pair<std::string_view, Kind>{"skill", Kind::Skill},
                                        std::pair<std::string_view, Kind>{"body", Kind::Body},
                                        std::pair<std::string_view, Kind>{"calls", Kind::Calls}};

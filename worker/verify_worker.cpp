@@ -3,6 +3,7 @@
 #include "cache/verdict_cache.h"
 #include "codegen/model.h"
 #include "ide/snapshot/fiacre_file.h"
+#include "ide/verdicts/durations.h"
 #include "process/child.h"
 #include "process/resource_limit.h"
 #include "report/report_json.h"
@@ -233,10 +234,23 @@ private:
   std::vector<std::optional<std::string>> told; ///< by row: the reason that was sent with it
 };
 
+/// Measures durations. The report has nothing else.
+void measure(const codegen::Model& model, const WorkerJob& job, const std::string& directory) {
+  const auto questions = ide::askForDurations(model);
+  auto options = engineOptions(job.budget);
+  options.progress = {};
+  const auto known = cache::cacheFor(directory, questions.model);
+  options.answers = known.get();
+  auto measured = ide::measureDurations(questions, options);
+  if (known) (void)known->save();
+  say({{"report", {{"durations", report::durationsJson(measured)}}}});
+}
+
 void work(const WorkerJob& job, const std::string& directory) {
   const auto subject = verifiableOf(job);
   if (!subject) return sayError(subject.error());
   const auto& model = subject->model;
+  if (job.durations) return measure(model, job, directory);
   if (const auto* name = unknownName(model, job.names))
     return sayError(fmt::format("no property is called `{}`", *name));
   Handover handover(*subject, job.names);

@@ -16,6 +16,7 @@ std::string encode(const WorkerJob& job, int parentId) {
               {"files", files},
               {"names", job.names},
               {"main", job.mainSkill},
+              {"durations", job.durations},
               {"seconds", job.budget.seconds},
               {"megabytes", job.budget.megabytes},
               {"classes", job.budget.classes ? Json(*job.budget.classes) : Json()}};
@@ -35,6 +36,7 @@ std::optional<JobHeader> decodeHeader(std::string_view line) {
     }
     header.job.names = json.at("names").get<std::vector<std::string>>();
     header.job.mainSkill = json.at("main").get<std::string>();
+    header.job.durations = json.at("durations").get<bool>();
     header.job.budget.seconds = json.at("seconds").get<double>();
     header.job.budget.megabytes = json.at("megabytes").get<std::uint64_t>();
     if (const auto& classes = json.at("classes"); !classes.is_null())

@@ -26,6 +26,7 @@ struct WorkerText {
 struct WorkerJob {
   std::vector<WorkerText> texts;  ///< the root first; no other files are read
   std::vector<std::string> names; ///< of properties; empty: all
+  bool durations = false;         ///< measure how long skills take instead of verifying
   std::string mainSkill;          ///< empty: the skill that no other skill calls
   Budget budget;
 };

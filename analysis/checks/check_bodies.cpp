@@ -22,7 +22,10 @@ namespace {
 class BodyCheck {
 public:
   BodyCheck(Context& context, const Body& body)
-      : context(context), body(body), names(context, body.file), expressions(context, body.file) {}
+      : context(context),
+        body(body),
+        names(context, body.file),
+        expressions(context, body.file, isSkill() ? body.owner : kNoSymbol) {}
 
   void check(const Statement& statement) {
     if (isSkill() ? isForSkills(statement) : isForEnvironments(statement)) resolve(statement);

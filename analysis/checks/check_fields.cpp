@@ -16,7 +16,7 @@ namespace {
 using Keywords = std::span<const std::string_view>;
 
 constexpr std::string_view kStateVariable[] = {":init", ":min", ":max", ":states", ":transitions"};
-constexpr std::string_view kEvent[] = {":every", ":effects"};
+constexpr std::string_view kEvent[] = {":every", ":guard", ":effects"};
 constexpr std::string_view kResource[] = {":capacity"};
 constexpr std::string_view kEnvironment[] = {":body"};
 constexpr std::string_view kProperty[] = {":after", ":before",  ":within",

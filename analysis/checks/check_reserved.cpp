@@ -1,4 +1,5 @@
 #include "analysis/checks/checks.h"
+#include "analysis/names/names.h"
 #include "analysis/names/walk.h"
 #include "syntax/diagnostics/codes.h"
 
@@ -40,6 +41,12 @@ void checkConstant(Context& context, const Definition<syntax::Constant>& constan
     refuse(context, "constant", constant->name, constant.at(constant->name.range));
 }
 
+/// `(goto x)` is a statement, so a skill called `goto` could not be called.
+void checkSkill(Context& context, const Definition<syntax::Skill>& skill) {
+  if (std::ranges::count(statementWords(), skill.name()) > 0)
+    refuse(context, "skill", skill->name, skill.at(skill->name.range));
+}
+
 void checkTags(Context& context, const Definition<syntax::Skill>& skill) {
   for (const auto& outcome : skill->successes) checkTag(context, skill, outcome.tag);
   for (const auto& outcome : skill->failures) checkTag(context, skill, outcome.tag);
@@ -58,7 +65,10 @@ void checkReserved(Context& context) {
                [&](const auto& constant) { checkConstant(context, constant); });
   context.each(context.program.stateVariables,
                [&](const auto& variable) { checkVariable(context, variable); });
-  context.each(context.program.skills, [&](const auto& skill) { checkTags(context, skill); });
+  context.each(context.program.skills, [&](const auto& skill) {
+    checkSkill(context, skill);
+    checkTags(context, skill);
+  });
 }
 
 } // namespace proskill::analysis

@@ -16,7 +16,7 @@ void checkOutcomes(Expressions& expressions, const syntax::List<syntax::Outcome>
 
 /// Checks everything but the body.
 void checkSkill(Context& context, const Definition<syntax::Skill>& skill, SymbolId symbol) {
-  Expressions expressions(context, skill.file);
+  Expressions expressions(context, skill.file, symbol);
   Names names(context, skill.file);
   for (const syntax::Input& input : skill->inputs) names.useType(input.type);
   for (const auto& precondition : skill->preconditions)

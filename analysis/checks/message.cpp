@@ -42,8 +42,9 @@ std::string_view takenBy(char letter) {
 
 Type typeOf(Context& context, const Body& body, const Expr& argument) {
   if (argument.kind == ExprKind::Number) return typeOfNumber(argument);
-  if (argument.kind != ExprKind::Parameter) return Expressions(context, body.file).value(argument);
   const bool inSkill = context.symbols[body.owner].kind == SymbolKind::Skill;
+  if (argument.kind != ExprKind::Parameter)
+    return Expressions(context, body.file, inSkill ? body.owner : kNoSymbol).value(argument);
   if (inSkill) return Arguments(context, body.file, body.owner).parameter(argument.name);
   Names(context, body.file).useParameter(argument.name, Role::Read, body.owner);
   return {};

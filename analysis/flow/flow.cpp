@@ -8,11 +8,11 @@ namespace proskill::analysis::flow {
 namespace {
 
 constexpr void (*kChecks[])(Report&) = {
-    checkMoves,      checkPreconditions, checkStatuses,     checkWaits,
-    checkTests,      checkUnreachable,   checkInvariants,   checkPostconditions,
-    checkInterrupts, checkUnused,        checkValues,       checkResults,
-    checkBranches,   checkResourceOrder, checkSharedSkills, checkProgress,
-    checkRounds,     checkDurations,     checkTicks};
+    checkMoves,          checkPreconditions, checkEventGuards,   checkStatuses,
+    checkWaits,          checkTests,         checkUnreachable,   checkInvariants,
+    checkPostconditions, checkInterrupts,    checkUnused,        checkValues,
+    checkResults,        checkBranches,      checkResourceOrder, checkSharedSkills,
+    checkProgress,       checkRounds,        checkDurations,     checkTicks};
 
 } // namespace
 

@@ -68,7 +68,10 @@ Type Arguments::type(const Expr& argument, Type wanted) {
   case ExprKind::Globally:
   case ExprKind::Finally:
   case ExprKind::Next:
-  case ExprKind::Until: break;
+  case ExprKind::Until:
+  case ExprKind::WeakUntil:
+  case ExprKind::Release:
+  case ExprKind::StrongRelease: break;
   }
   context.findings.report(Code::ArgumentNotLiteral, {file, argument.range});
   return {};

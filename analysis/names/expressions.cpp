@@ -1,4 +1,6 @@
 #include "analysis/names/expressions.h"
+
+#include "analysis/names/arguments.h"
 #include "syntax/diagnostics/codes.h"
 #include "syntax/diagnostics/suggest.h"
 
@@ -42,6 +44,9 @@ void Expressions::condition(const Expr& expr) {
   case ExprKind::Finally:
   case ExprKind::Next:
   case ExprKind::Until:
+  case ExprKind::WeakUntil:
+  case ExprKind::Release:
+  case ExprKind::StrongRelease:
     for (const Expr& each : expr.operands) condition(each);
     return;
   case ExprKind::Test: return test(expr);
@@ -57,7 +62,7 @@ void Expressions::condition(const Expr& expr) {
   case ExprKind::Occurs:
   case ExprKind::At:
   case ExprKind::Value: return atom(expr);
-  case ExprKind::Parameter: return parameter(expr);
+  case ExprKind::Parameter:
   case ExprKind::Number:
   case ExprKind::Symbol:
   case ExprKind::String:
@@ -144,7 +149,7 @@ Type Expressions::operand(const Expr& expr, Type expected) {
   case ExprKind::String: return {TypeKind::String, kNoSymbol};
   case ExprKind::Add:
   case ExprKind::Subtract: naturals(expr.operands); return {TypeKind::Natural, kNoSymbol};
-  case ExprKind::Parameter: parameter(expr); return {};
+  case ExprKind::Parameter: return parameter(expr);
   case ExprKind::True:
   case ExprKind::False:
   case ExprKind::Test:
@@ -168,7 +173,10 @@ Type Expressions::operand(const Expr& expr, Type expected) {
   case ExprKind::Globally:
   case ExprKind::Finally:
   case ExprKind::Next:
-  case ExprKind::Until: condition(expr); return {TypeKind::Boolean, kNoSymbol};
+  case ExprKind::Until:
+  case ExprKind::WeakUntil:
+  case ExprKind::Release:
+  case ExprKind::StrongRelease: condition(expr); return {TypeKind::Boolean, kNoSymbol};
   }
   std::unreachable();
 }
@@ -218,8 +226,18 @@ void Expressions::natural(const Expr& expr) {
     refuse(Code::ExpectedNatural, expr, describe(type, context.symbols));
 }
 
-void Expressions::parameter(const Expr& expr) {
-  refuse(Code::ParameterInCondition, expr, std::string(expr.name.text));
+/// A parameter with the values of a state variable is part of the verified model; others only go to
+/// the platform.
+Type Expressions::parameter(const Expr& expr) {
+  if (skill == kNoSymbol) {
+    refuse(Code::ParameterOutsideSkill, expr, std::string(expr.name.text));
+    return {};
+  }
+  const Type type = Arguments(context, file, skill).parameter(expr.name);
+  if (!type.known() || type.of != kNoSymbol) return type;
+  context.findings.report(Code::ParameterInCondition, {file, expr.range}, expr.name.text,
+                          describe(type, context.symbols));
+  return {};
 }
 
 void Expressions::noCondition(const Expr& expr) {

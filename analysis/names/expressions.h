@@ -14,8 +14,10 @@ enum class Atoms : std::uint8_t { Program, Property };
 /// variable is called `Low`.
 class Expressions {
 public:
-  Expressions(Context& context, FileId file, Atoms atoms = Atoms::Program)
-      : context(context), names(context, file), file(file), atoms(atoms) {}
+  /// \param skill the skill in which they are written; kNoSymbol: there are no parameters
+  Expressions(Context& context, FileId file, SymbolId skill = kNoSymbol,
+              Atoms atoms = Atoms::Program)
+      : context(context), names(context, file), file(file), skill(skill), atoms(atoms) {}
 
   void condition(const syntax::Expr& expr);
   void effects(const syntax::Effects& effects);
@@ -34,7 +36,7 @@ private:
   void equality(const syntax::Expr& expr);
   void test(const syntax::Expr& expr);
   void valueOf(const syntax::Name& name, const syntax::Expr& value, Role role);
-  void parameter(const syntax::Expr& expr);
+  Type parameter(const syntax::Expr& expr);
   void onlyInProperty(const syntax::Name& word);
   void atom(const syntax::Expr& expr);
   void valueAtom(const syntax::Expr& expr);
@@ -46,6 +48,7 @@ private:
   Context& context;
   Names names;
   FileId file;
+  SymbolId skill;
   Atoms atoms;
 };
 

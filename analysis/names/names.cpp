@@ -35,12 +35,13 @@ bool isNumber(const std::optional<syntax::Expr>& expr) {
   return expr && expr->kind == syntax::ExprKind::Number;
 }
 
-/// Keywords of statements: a call of an unknown skill may be a misspelt keyword.
 constexpr std::string_view kStatementWords[] = {"if",      "case", "while",  "do",     "break",
                                                 "label",   "goto", "set",    "printf", "success",
                                                 "failure", "emit", "choose", "race"};
 
 } // namespace
+
+std::span<const std::string_view> statementWords() { return kStatementWords; }
 
 SymbolId Names::use(SymbolKind kind, const Name& name, Role role, SymbolId owner) {
   if (!name) return kNoSymbol;
@@ -94,6 +95,7 @@ void Names::unknown(SymbolKind kind, const Name& name, SymbolId owner) {
        .at = {file, name.range},
        .owner = owner,
        .kinds = {kind},
+       // a call of an unknown skill may be a misspelt statement
        .words = kind == SymbolKind::Skill ? kStatementWords : std::span<const std::string_view>()});
 }
 

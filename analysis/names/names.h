@@ -50,6 +50,9 @@ struct Context {
   }
 };
 
+/// The words that begin statements.
+[[nodiscard]] std::span<const std::string_view> statementWords();
+
 /// Resolves names, records them in the index, and reports unknown names. The meaning of a name
 /// depends on its place:
 ///

@@ -12,6 +12,9 @@ struct Exit {
   friend bool operator==(const Exit&, const Exit&) = default;
 };
 
+/// Where it continues if the node is skipped: a jump. Nothing where a node must not be skipped.
+using Skip = std::optional<Exit>;
+
 /// Writes the body of one composite skill, or of one of its parallel branches. Sequences,
 /// fallbacks, loops and decorators become statements and jumps. What must be able to stop its
 /// children while they run becomes a composite skill of its own.
@@ -21,28 +24,51 @@ public:
 
   /// Statements for a node. After them the node has ended, and control is at `success` or
   /// `failure`. Both may be the next statement: then the result does not matter.
-  void node(const Node& node, const Exit& success, const Exit& failure);
+  /// \param skip where control is if the node is skipped; without it, a node that may be is an
+  /// error
+  void node(const Node& node, const Exit& success, const Exit& failure, const Skip& skip = {});
+
+  /// The same without regard to the scripts that decide about the node itself.
+  void plain(const Node& node, const Exit& success, const Exit& failure, const Skip& given);
 
   /// The same for a child of a parallel node: its exits may count the end instead of jumping.
   void result(const Node& child, Exit success, Exit failure);
 
+  /// The wait for another tick; `atOnce`: it may also be this one.
+  [[nodiscard]] Form nextTick(bool atOnce) const;
+
   Block statements;
 
 private:
-  void plain(const Node& node, const Exit& success, const Exit& failure);
-  void preconditions(const Node& node, const Exit& success, const Exit& failure);
+  void preconditions(const Node& node, const Exit& success, const Exit& failure, const Skip& skip);
+  void whileTrue(const Node& node, const Exit& success, const Exit& failure, const Exit& skip);
   void scripted(const Node& node, const std::string& port, const Exit& exit);
   void condition(const Node& node, const Exit& success, const Exit& failure);
   void action(const Node& node, const Exit& success, const Exit& failure);
-  void call(const std::string& skill, Ends ends, const Exit& success, const Exit& failure);
-  void inOrder(const Node& node, bool isSequence, const Exit& success, const Exit& failure);
+  void composite(const Node& node, const Exit& success, const Exit& failure, const Skip& skip);
+  void call(const std::string& skill, Ends ends, const Exit& success, const Exit& failure,
+            const Skip& skip);
+  /// A child of a sequence or a fallback; after it and where it is skipped, control is at `goOn`.
+  void child(const Node& child, bool isSequence, const Exit& goOn, const Exit& early);
+  void inOrder(const Node& node, bool isSequence, const Exit& success, const Exit& failure,
+               const Skip& skip);
+  /// The same where all children may be skipped: then the node is.
+  void inOrderOrSkipped(const Node& node, bool isSequence, const Exit& success, const Exit& failure,
+                        const Exit& skip);
   void withMemory(const Node& node, const Exit& success, const Exit& failure);
-  void ifThenElse(const Node& node, const Exit& success, const Exit& failure);
+  void ifThenElse(const Node& node, const Exit& success, const Exit& failure, const Skip& skip);
+  void runOnce(const Node& node, const Exit& success, const Exit& failure, const Skip& skip);
+  void precondition(const Node& node, const Exit& success, const Exit& failure, const Skip& skip);
+  void queue(const Node& node, const Exit& success, const Exit& failure, const Skip& skip);
+  void tryCatch(const Node& node, const Exit& success, const Exit& failure, const Skip& skip);
   void loop(const Node& node, const Exit& success, const Exit& failure);
   void endlessLoop(const Node& node, const Exit& exit);
   void countedLoop(const Node& node, std::int64_t rounds, const Exit& success, const Exit& failure);
   void anyLoop(const Node& node, const Exit& success, const Exit& failure);
   void delay(const Node& node, const char* port);
+  void recovery(const Node& node, const Exit& success, const Exit& failure);
+  void anyOrder(const Node& node, bool isSequence, const Exit& success, const Exit& failure);
+  void rate(const Node& node, const Exit& success, const Exit& failure, const Skip& skip);
   void parallelAll(const Node& node, const Exit& success, const Exit& failure);
 
   /// An exit that is a jump in any case: to `label`, where the next statement is meant.
@@ -51,10 +77,10 @@ private:
   void test(const Form& condition, const Exit& exit);
   void leave(const Exit& exit) { append(statements, exit.jump); }
   void place(const std::string& label) { statements.push_back(list("label", label)); }
+  [[nodiscard]] bool jumpsTo(const std::string& label) const;
   /// The same if a jump leads there.
   void placeUsed(const std::string& label);
   void commentAt(std::size_t statement, const Node& node);
-  [[nodiscard]] Form nextTick(bool atOnce) const;
 
   Vocabulary& vocabulary;
   const Traits& traits;
@@ -63,6 +89,8 @@ private:
 /// `(success done)` and `(failure failed)`.
 [[nodiscard]] Exit succeed();
 [[nodiscard]] Exit fail();
+/// `(failure skipped)`, the third outcome of a composite skill.
+[[nodiscard]] Exit skipped();
 /// Milliseconds in a port as seconds. Nothing if it is not a number.
 [[nodiscard]] std::optional<std::string> secondsIn(const std::string& port);
 

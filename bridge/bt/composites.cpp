@@ -23,7 +23,7 @@ bool needsWatching(const Node& reactive, const Traits& traits) {
 }
 
 std::string Composites::of(const Node& node) {
-  auto name = vocabulary.names.take(node);
+  auto name = vocabulary.names.take(wordOf(node));
   auto body = bodyOf(node);
   vocabulary.composite(name, vocabulary.comment(node), std::move(body));
   return name;
@@ -33,6 +33,9 @@ Block Composites::bodyOf(const Node& node) {
   switch (node.kind) {
   case Kind::Timeout: return timeout(node);
   case Kind::Parallel: return parallel(node);
+  case Kind::Pipeline: return pipeline(node);
+  case Kind::Nonblocking: return nonblocking(node);
+  case Kind::PauseResume: return pauseResume(node);
   case Kind::WhileDoElse: return whileDoElse(node);
   case Kind::Switch: return choice(node);
   case Kind::ReactiveSequence:
@@ -43,7 +46,7 @@ Block Composites::bodyOf(const Node& node) {
 
 Block Composites::subTree(const Node& node) {
   Body body(vocabulary);
-  body.node(node.children.front(), {}, fail());
+  body.node(node.children.front(), {}, fail(), maySkip(node.children.front()) ? skipped() : Skip());
   if (traits.ends(node.children.front()).success) append(body.statements, succeed().jump);
   return body.statements;
 }
@@ -87,9 +90,9 @@ Block Composites::whileDoElse(const Node& node) {
 
 /// The child, until a condition holds.
 Block Composites::watched(const Node& node, const Exit& success, const Exit& failure,
-                          const Form& until) {
+                          const Form& until, const Skip& skip) {
   Body body(vocabulary);
-  body.node(node, success, failure);
+  body.node(node, success, failure, skip);
   if (until == "false") return body.statements;
   return {list("race", Form(body.statements), Form(Block{list("^", until)}))};
 }
@@ -115,6 +118,15 @@ Block Composites::choice(const Node& node) {
   return {list("label", again), choice, list("goto", again)};
 }
 
+/// That a child may be a condition, of which the file does not say what it is.
+std::string Composites::hint(const Node& node) const {
+  for (const auto& child : node.children)
+    if (child.kind == Kind::Action &&
+        std::ranges::find(vocabulary.undeclared, child.id) != vocabulary.undeclared.end())
+      return fmt::format("; if `{}` is a condition, a file of `--leaves` may say so", child.id);
+  return "";
+}
+
 Block Composites::reactive(const Node& node) {
   const bool isSequence = node.kind == Kind::ReactiveSequence;
   const auto guards = guardsOf(node, traits);
@@ -122,8 +134,8 @@ Block Composites::reactive(const Node& node) {
       node.children, [&](const Node& child) { return !traits.isPure(child); });
   if (running > 1) {
     vocabulary.fail(node, fmt::format("a `{}` with {} children that can run is not supported: it "
-                                      "starts the first of them again at each tick",
-                                      node.id, running));
+                                      "starts the first of them again at each tick{}",
+                                      node.id, running, hint(node)));
     return fail().jump;
   }
   const auto early = isSequence ? fail() : succeed();
@@ -137,7 +149,8 @@ Block Composites::reactive(const Node& node) {
   const auto until = Guard(vocabulary).ofAll(node, guards, !isSequence, true);
   // Both ways out of the race continue after it, so that the skill has one place for each.
   auto statements = std::move(first.statements);
-  append(statements, watched(rest, isSequence ? late : Exit{}, isSequence ? Exit{} : late, until));
+  append(statements, watched(rest, isSequence ? late : Exit{}, isSequence ? Exit{} : late, until,
+                             maySkip(rest) ? late : Skip()));
   append(statements, early.jump);
   return statements;
 }

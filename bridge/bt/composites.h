@@ -14,17 +14,25 @@ public:
 
   /// Adds the skill of a node. \return its name
   std::string of(const Node& node);
+  /// The same for a node that is halted, and skipped, as soon as a condition holds.
+  std::string whileTrue(const Node& node, const Form& until);
 
 private:
   Block bodyOf(const Node& node);
   Block subTree(const Node& node);
   Block timeout(const Node& node);
   Block parallel(const Node& node);
+  Block pipeline(const Node& node);
+  Block nonblocking(const Node& node);
+  Block pauseResume(const Node& node);
+  Block pipelineFrom(const Node& node, std::size_t child);
   Block branches(const Node& node, const Exit& success, const Exit& failure);
   Block whileDoElse(const Node& node);
   Block choice(const Node& node);
+  [[nodiscard]] std::string hint(const Node& node) const;
   Block reactive(const Node& node);
-  Block watched(const Node& node, const Exit& success, const Exit& failure, const Form& until);
+  Block watched(const Node& node, const Exit& success, const Exit& failure, const Form& until,
+                const Skip& skip = {});
 
   Vocabulary& vocabulary;
   const Traits& traits;

@@ -56,6 +56,9 @@ Form Guard::joinedChildren(const Node& node, std::size_t count, bool isAnd, bool
 }
 
 Form Guard::choice(const Node& node, bool negated) {
+  if (choices == kMostChoices) return "true"; // after an error
+  if (++choices == kMostChoices)
+    vocabulary.fail(node, "conditions with so many `IfThenElse` in each other are not supported");
   const auto& children = node.children;
   const Form yes = joined("and", {of(children[0], false), of(children[1], negated)});
   const Form otherwise = children.size() > 2 ? of(children[2], negated)

@@ -18,6 +18,9 @@ public:
   Form ofAll(const Node& node, std::size_t count, bool negatedEach, bool negatedAll);
 
 private:
+  /// Each choice says what its test needs twice, so that a condition grows fast with nesting.
+  static constexpr int kMostChoices = 40'000;
+
   Form leaf(const Node& node, bool negated);
   Form joined(const char* word, const std::vector<Form>& parts);
   Form joinedChildren(const Node& node, std::size_t count, bool isAnd, bool negated);
@@ -25,6 +28,7 @@ private:
 
   Vocabulary& vocabulary;
   std::map<const Node*, std::string> variables;
+  int choices = 0;
 };
 
 } // namespace proskill::bridge::bt

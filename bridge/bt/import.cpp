@@ -34,36 +34,45 @@ std::string verdictLine(const Vocabulary& vocabulary) {
 
 std::vector<std::string> summaryOf(const Vocabulary& vocabulary, const Forest& forest) {
   std::vector<std::string> lines;
+  if (!forest.hasFormat) lines.emplace_back("`BTCPP_format` is missing: read as version 4");
   if (!forest.undeclared.empty())
     lines.push_back(fmt::format("not declared in `TreeNodesModel`, taken as actions: {}",
                                 fmt::join(forest.undeclared, ", ")));
+  for (const auto& note : forest.notes)
+    lines.push_back(fmt::format("{}: {}", asText(note.place, {}), note.message));
   for (const auto& name : vocabulary.leaves.unused())
     lines.push_back(
         fmt::format("no node is called `{}`, of which the file of leaves speaks", name));
+  for (const auto& [type, name] : vocabulary.commands)
+    if (type != name) lines.push_back(fmt::format("the action of `{}` is called `{}`", type, name));
   for (const auto& note : vocabulary.notes)
-    lines.push_back(asText(note.place, vocabulary.folder) + ": approximated: " + note.message);
+    lines.push_back(asText(note.place, {}) + ": approximated: " + note.message);
   lines.push_back(verdictLine(vocabulary));
   return lines;
 }
 
 /// The side file may say that a leaf is a condition, which a tree alone need not.
 void setKinds(Node& node, const Leaves& leaves) {
-  if (node.kind == Kind::Action || (node.kind == Kind::Condition && node.id != "ScriptCondition"))
-    node.kind = leaves.of(node).kind.value_or(node.kind);
+  const bool isLeaf =
+      node.kind == Kind::Action || (node.kind == Kind::Condition && node.id != "ScriptCondition");
+  if (const auto isCondition = leaves.of(node.name, node.id).isCondition; isLeaf && isCondition)
+    node.kind = *isCondition ? Kind::Condition : Kind::Action;
   for (auto& child : node.children) setKinds(child, leaves);
 }
 
 } // namespace
 
 std::expected<Imported, Errors> importTree(const analysis::FileSystem& files,
-                                           const std::filesystem::path& root,
-                                           const Leaves& leaves) {
-  const auto forest = read(files, root);
+                                           const std::filesystem::path& root, const Leaves& leaves,
+                                           const std::filesystem::path& folder,
+                                           const std::string& chosen) {
+  const auto forest = read(files, root, chosen);
   if (!forest) return std::unexpected(forest.error());
   auto tree = expand(*forest);
   if (!tree) return std::unexpected(tree.error());
   setKinds(*tree, leaves);
-  Vocabulary vocabulary(leaves, root.parent_path());
+  Vocabulary vocabulary(leaves, folder);
+  vocabulary.undeclared = forest->undeclared;
   const auto main = Composites(vocabulary).of(missionOf(*forest, std::move(*tree)));
   if (!vocabulary.errors.empty()) return std::unexpected(std::move(vocabulary.errors));
   vocabulary.properties.push_back(endProperty(vocabulary, main));

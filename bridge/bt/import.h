@@ -1,22 +1,18 @@
 #pragma once
 
 #include "analysis/program/program.h"
-#include "bridge/bt/tree/leaves.h"
+#include "bridge/text/imported.h"
+#include "bridge/text/leaves.h"
+#include "bridge/text/place.h"
 
 namespace proskill::bridge::bt {
 
-/// A behavior tree as a program.
-struct Imported {
-  std::string text;
-  bool exact = true; ///< nothing was approximated
-  /// For people: what was imported, what was approximated, and what verdicts mean.
-  std::vector<std::string> summary;
-};
-
-/// Reads a file of BehaviorTree.CPP v4 with what it includes, and translates its main tree.
+/// Reads a file of BehaviorTree.CPP v4 with what it includes, and translates a tree.
 /// docs/import.md says what becomes of each node.
-[[nodiscard]] std::expected<Imported, Errors> importTree(const analysis::FileSystem& files,
-                                                         const std::filesystem::path& root,
-                                                         const Leaves& leaves);
+/// \param main the tree to translate; empty: the main tree
+/// \param folder of the program: comments give paths of originals from there
+[[nodiscard]] std::expected<Imported, Errors>
+importTree(const analysis::FileSystem& files, const std::filesystem::path& root,
+           const Leaves& leaves, const std::filesystem::path& folder, const std::string& main = {});
 
 } // namespace proskill::bridge::bt

@@ -4,7 +4,6 @@
 
 namespace proskill::bridge::bt {
 
-/// The wait for another tick; `atOnce`: it may also be this one.
 Form Body::nextTick(bool atOnce) const {
   const auto& tick = vocabulary.leaves.tick;
   return list("^", (atOnce ? "[0," : "]0,") + (tick.empty() ? "...[" : tick + "]"));

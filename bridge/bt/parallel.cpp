@@ -54,7 +54,7 @@ Block Composites::parallel(const Node& node) {
   };
   const bool allMust = thresholds->successes == count;
   const bool oneSuffices = !allMust && thresholds->successes == 1 && thresholds->failures == count;
-  const auto ends = traits.ends(node);
+  const auto ends = traits.endsInside(node);
   const auto good = allMust ? Tally{} : tally(thresholds->successes, "_successes", succeed());
   const auto bad = oneSuffices ? Tally{} : tally(thresholds->failures, "_failures", fail());
   append(statements, branches(node, {good.statements()}, {bad.statements()}));

@@ -1,6 +1,9 @@
-#include "cli/bridges/import.h"
+#include "cli/bridges/commands.h"
 
 #include "bridge/bt/import.h"
+#include "bridge/gen/import.h"
+#include "bridge/rl/import.h"
+#include "cli/output/bridge_report.h"
 #include "cli/terminal/choice.h"
 #include "cli/terminal/error.h"
 #include "cli/terminal/exit_code.h"
@@ -13,43 +16,66 @@
 
 #include <iostream>
 #include <memory>
+#include <utility>
 
 namespace proskill::cli {
 namespace {
 
-enum class Language : std::uint8_t { BehaviorTree };
+enum class Language : std::uint8_t { BehaviorTree, Components, Skillsets };
 
 struct ImportArguments {
   Language language = Language::BehaviorTree;
   std::string file;
   std::string leaves;
+  std::string main;
   std::string output;
 };
 
 /// The side file about leaves; without one, anything is allowed to them.
-std::expected<bridge::bt::Leaves, std::string> readLeaves(const std::string& path) {
-  if (path.empty()) return bridge::bt::Leaves();
+std::expected<bridge::Leaves, std::string> readLeaves(const std::string& path) {
+  if (path.empty()) return bridge::Leaves();
   const auto bytes = disk::DiskFileSystem().read(path);
   if (!bytes) return std::unexpected("cannot read `" + path + "`: " + bytes.error());
-  auto leaves = bridge::bt::Leaves::read(*bytes);
+  auto leaves = bridge::Leaves::read(*bytes);
   if (!leaves) return std::unexpected(path + ": " + leaves.error());
   return leaves;
 }
 
-int report(const bridge::bt::Errors& errors) {
-  for (const auto& [place, message] : errors)
-    std::cerr << syntax::printable(place.file.generic_string()) << ':' << place.line << ':'
-              << place.column << ": error: " << syntax::printable(message) << '\n';
-  return kFailed;
+/// The folder of the program, seen from where the imported file is seen.
+std::filesystem::path folderOf(const ImportArguments& arguments) {
+  const auto here = std::filesystem::current_path();
+  const auto folder = (here / arguments.output).parent_path();
+  const bool isAbsolute = std::filesystem::path(arguments.file).is_absolute();
+  return isAbsolute ? folder : folder.lexically_proximate(here);
+}
+
+std::expected<bridge::Imported, bridge::Errors> imported(const ImportArguments& arguments,
+                                                         const bridge::Leaves& leaves) {
+  const disk::DiskFileSystem files;
+  const auto folder = folderOf(arguments);
+  switch (arguments.language) {
+  case Language::BehaviorTree:
+    return bridge::bt::importTree(files, arguments.file, leaves, folder, arguments.main);
+  case Language::Components:
+    return bridge::gen::importComponents(files, arguments.file, leaves, folder);
+  case Language::Skillsets: return bridge::rl::importSkillsets(files, arguments.file, folder);
+  }
+  std::unreachable();
 }
 
 int runImport(const ImportArguments& arguments) {
+  if (disk::replaces(arguments.output, arguments.file))
+    return fail("`-o` names the file that is read");
+  if (!arguments.leaves.empty() && arguments.language == Language::Skillsets)
+    return fail("`--leaves` is about behavior trees and components");
+  if (!arguments.main.empty() && arguments.language != Language::BehaviorTree)
+    return fail("`--main` is about behavior trees");
   const auto leaves = readLeaves(arguments.leaves);
   if (!leaves) return fail(leaves.error());
-  const auto imported = bridge::bt::importTree(disk::DiskFileSystem(), arguments.file, *leaves);
-  if (!imported) return report(imported.error());
-  if (const auto failed = disk::writeOutput(arguments.output, imported->text)) return fail(*failed);
-  for (const auto& line : imported->summary) std::cerr << syntax::printable(line) << '\n';
+  const auto made = imported(arguments, *leaves);
+  if (!made) return reportErrors(made.error());
+  if (const auto failed = disk::writeOutput(arguments.output, made->text)) return fail(*failed);
+  for (const auto& line : made->summary) std::cerr << syntax::printable(line) << '\n';
   return kDone;
 }
 
@@ -58,17 +84,27 @@ int runImport(const ImportArguments& arguments) {
 void addImport(CLI::App& app, int& exitCode) {
   auto arguments = std::make_shared<ImportArguments>();
   auto* command = app.add_subcommand("import", "Translate a program of another language");
-  addChoice<Language>(*command, "language", arguments->language, {{"bt", Language::BehaviorTree}},
-                      "bt: XML of BehaviorTree.CPP v4")
+  addChoice<Language>(
+      *command, "language", arguments->language,
+      {{"bt", Language::BehaviorTree}, {"gen", Language::Components}, {"rl", Language::Skillsets}},
+      "bt: XML of BehaviorTree.CPP v4; gen: components of GenoM3; rl: skillsets of "
+      "the robot language")
       ->required();
   command->add_option("file", arguments->file, "File to import, with what it includes")->required();
   show(command->add_option("-o,--output", arguments->output,
                            "Write to this file instead of standard output"),
        group::kOutput, "FILE");
-  show(command->add_option("--leaves", arguments->leaves,
-                           "bt: durations and results of actions and conditions, as JSON"),
+  show(command->add_option(
+           "--leaves", arguments->leaves,
+           "bt, gen: durations and results of actions, conditions and services, as JSON"),
        group::kAdvanced, "FILE");
-  showBelow(*command, {"proskill import bt patrol.xml --leaves leaves.json -o patrol.proskill"},
+  show(command->add_option("--main", arguments->main,
+                           "bt: tree to import (default: the `main_tree_to_execute`)"),
+       group::kSubject, "TREE");
+  showBelow(*command,
+            {"proskill import bt patrol.xml --leaves leaves.json -o patrol.proskill",
+             "proskill import gen maneuver.gen -o maneuver.proskill",
+             "proskill import rl turtle.rl -o turtle.proskill"},
             {{kDone, "the program was written"},
              {kFailed, "the file has errors, or the command line or the output is wrong"}});
   command->callback([arguments, &exitCode] { exitCode = runImport(*arguments); });

@@ -1,4 +1,4 @@
-#include "cli/commands/check.h"
+#include "cli/commands/commands.h"
 
 #include "cli/commands/fix.h"
 #include "cli/terminal/choice.h"
@@ -8,8 +8,8 @@
 #include "cli/terminal/paint.h"
 #include "disk/disk.h"
 #include "ide/snapshot/fiacre_file.h"
-#include "lsp/workspace/program_settings.h"
 #include "report/check_report.h"
+#include "report/program_settings.h"
 #include "report/text/render.h"
 
 #include <algorithm>
@@ -38,7 +38,7 @@ struct CheckArguments {
 };
 
 /// An error in the settings with its place: `FILE:3:14: unknown setting …`
-std::string placed(const fs::path& file, const lsp::SettingsMistake& mistake) {
+std::string placed(const fs::path& file, const report::SettingsMistake& mistake) {
   const auto [line, column] = syntax::LineIndex(mistake.text).position(mistake.at.begin);
   return file.generic_string() + ":" + std::to_string(line + 1) + ":" + std::to_string(column + 1) +
          ": " + mistake.description;
@@ -106,7 +106,7 @@ private:
   };
 
   analysis::flow::Settings settings(const fs::path& root) {
-    auto [result, file, mistake] = lsp::settingsFor(disk, root);
+    auto [result, file, mistake] = report::settingsFor(disk, root);
     if (mistake) fail(placed(file, *mistake));
     mistaken |= mistake.has_value();
     result.style |= arguments.style;

@@ -1,8 +1,9 @@
-#include "cli/commands/dap.h"
+#include "cli/commands/commands.h"
 
 #include "cli/terminal/error.h"
 #include "cli/terminal/exit_code.h"
 #include "cli/terminal/help.h"
+#include "cli/terminal/number.h"
 #include "dap/adapter.h"
 #include "disk/disk.h"
 
@@ -40,9 +41,11 @@ void addDap(CLI::App& app, int& exitCode) {
   auto port = std::make_shared<std::optional<std::uint16_t>>();
   auto* command = app.add_subcommand(
       "dap", "Step through traces and simulations in a debugger (Debug Adapter Protocol)");
-  show(command->add_option("--port", *port,
-                           "Wait for one client on this port of the loopback interface (0: any "
-                           "free port) instead of standard input"),
+  show(command
+           ->add_option("--port", *port,
+                        "Wait for one client on this port of the loopback interface (0: any free "
+                        "port) instead of standard input")
+           ->check(portNumber()),
        group::kAdvanced, "PORT");
   showBelow(*command, {"proskill dap"},
             {{kDone, "the client disconnected"},

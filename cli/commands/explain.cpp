@@ -1,4 +1,4 @@
-#include "cli/commands/explain.h"
+#include "cli/commands/commands.h"
 
 #include "cli/terminal/error.h"
 #include "cli/terminal/exit_code.h"

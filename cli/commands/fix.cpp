@@ -22,9 +22,10 @@ struct Edited {
   std::vector<Edit> edits;
 };
 
-/// Codes of the flow analysis that are fixed without asking, since the fix keeps the meaning. Other
-/// findings are for users to decide.
-constexpr std::string_view kWithoutAsking[] = {"PS0702", "PS0901", "PS1005", "PS1103", "PS1201"};
+/// Codes of the flow analysis, and of models in Fiacre, that are fixed without asking, since the
+/// fix keeps the meaning. Other findings are for users to decide.
+constexpr std::string_view kWithoutAsking[] = {"PS0702", "PS0901", "PS1005",
+                                               "PS1103", "PS1201", "PS1302"};
 
 bool isForPerson(const syntax::Diagnostic& diagnostic) {
   const std::string_view id = syntax::info(diagnostic.code).id;

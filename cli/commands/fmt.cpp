@@ -1,4 +1,4 @@
-#include "cli/commands/fmt.h"
+#include "cli/commands/commands.h"
 
 #include "cli/output/unified_diff.h"
 #include "cli/terminal/error.h"

@@ -1,4 +1,4 @@
-#include "cli/commands/graph.h"
+#include "cli/commands/commands.h"
 
 #include "cli/output/checked_program.h"
 #include "cli/terminal/choice.h"
@@ -121,6 +121,8 @@ std::string listOf(const std::vector<viz::Request>& requests) {
 }
 
 int runGraph(const GraphArguments& arguments) {
+  if (disk::replaces(arguments.output, arguments.file))
+    return fail("`-o` names the file that is read");
   const auto program = loadChecked(arguments.file, arguments.colour);
   if (!program) return kFailed;
   const auto requests = choose(*program, arguments);
@@ -142,9 +144,10 @@ void addGraph(CLI::App& app, int& exitCode) {
   auto* command = app.add_subcommand("graph", "Draw state variables, skills, bodies and calls");
   command->add_option("file", arguments->file, "Root file of the program")->required();
   addChoice(*command, "--kind", arguments->kind, optional(kPictureKinds),
-            "A state variable, a skill, the body of a skill, or who calls whom", group::kSubject);
+            "A state variable, an event, a skill, the body of a skill, or who calls whom",
+            group::kSubject);
   show(command->add_option("--name", arguments->name,
-                           "Which state variable, skill or environment to draw"),
+                           "Which state variable, event, skill or environment to draw"),
        group::kSubject, "NAME");
   show(command->add_flag("--forbidden", arguments->forbidden,
                          "Draw the forbidden moves of state variables too"),

@@ -1,9 +1,10 @@
-#include "cli/commands/lsp.h"
+#include "cli/commands/commands.h"
 
 #include "cache/verdict_cache.h"
 #include "cli/terminal/error.h"
 #include "cli/terminal/exit_code.h"
 #include "cli/terminal/help.h"
+#include "cli/terminal/number.h"
 #include "disk/disk.h"
 #include "lsp/server/server.h"
 
@@ -104,14 +105,18 @@ int runLsp(const LspArguments& arguments) {
 void addLsp(CLI::App& app, int& exitCode) {
   auto arguments = std::make_shared<LspArguments>();
   auto* command = app.add_subcommand("lsp", "Serve an editor (Language Server Protocol)");
-  show(command->add_option("--port", arguments->port,
-                           "Wait for one client on this port of the loopback interface (0: any "
-                           "free port) instead of standard input"),
+  show(command
+           ->add_option("--port", arguments->port,
+                        "Wait for one client on this port of the loopback interface (0: any free "
+                        "port) instead of standard input")
+           ->check(portNumber()),
        group::kAdvanced, "PORT");
   show(command->add_option("--log", arguments->log, "Append one line per request to this file"),
        group::kAdvanced, "FILE");
-  show(command->add_option("--debounce", arguments->debounce,
-                           "Wait this long after the last edit before reporting (default 50)"),
+  show(command
+           ->add_option("--debounce", arguments->debounce,
+                        "Wait this long after the last edit before reporting (default 50)")
+           ->check(integerBetween(0, 60'000)),
        group::kAdvanced, "MILLISECONDS");
   show(command->add_option("--cache", arguments->cache,
                            "Keep verdicts in this directory (default: proskill/verdicts in the "

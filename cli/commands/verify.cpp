@@ -1,4 +1,4 @@
-#include "cli/commands/verify.h"
+#include "cli/commands/commands.h"
 
 #include "cache/verdict_cache.h"
 #include "cli/commands/verify_arguments.h"
@@ -10,6 +10,7 @@
 #include "cli/terminal/error.h"
 #include "cli/terminal/exit_code.h"
 #include "cli/terminal/help.h"
+#include "cli/terminal/number.h"
 #include "cli/terminal/paint.h"
 #include "cli/terminal/progress.h"
 #include "disk/disk.h"
@@ -26,6 +27,7 @@
 #include <csignal>
 #include <iostream>
 #include <memory>
+#include <thread>
 #include <unistd.h>
 
 namespace proskill::cli {
@@ -45,17 +47,32 @@ double secondsSince(std::chrono::steady_clock::time_point moment) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - moment).count();
 }
 
+/// Each thread has caches of its own, so that very many would take much memory.
+unsigned defaultJobs() {
+  constexpr unsigned kMost = 8;
+  return std::clamp(std::thread::hardware_concurrency(), 1U, kMost);
+}
+
+/// Whether this process helps another one to verify, which prints the results.
+bool isAssistant(const VerifyArguments& arguments) {
+  return arguments.ranks && arguments.ranks->isAssistant();
+}
+
 /// The time limit applies to the whole command.
-verify::Options engineOptions(const VerifyArguments& arguments, ProgressLine* progress) {
+verify::Options engineOptions(const VerifyArguments& arguments, ProgressLine* progress,
+                              cache::CheckpointFile* checkpoint = nullptr) {
   verify::Options options;
   options.reductions = chosenReductions(arguments.reduce);
   if (arguments.timeLimit)
     options.limits.seconds = std::max(0.0, *arguments.timeLimit - secondsSince(arguments.begun));
-  if (arguments.memoryLimit) options.limits.bytes = *arguments.memoryLimit * 1024 * 1024;
+  if (arguments.memoryLimit) options.limits.bytes = bytesOfMiB(*arguments.memoryLimit);
   options.limits.classes = arguments.classLimit;
-  options.jobs = arguments.jobs;
+  options.jobs = arguments.jobs.value_or(defaultJobs());
   options.cancelled = &interrupted;
-  if (progress) options.progress = progress->callback();
+  options.checkpoint = checkpoint;
+  if (arguments.ranks) options.ranks = &arguments.ranks->connected();
+  if (progress && !isAssistant(arguments))
+    options.progress = progress->callback(timeOfCheckpoint(checkpoint));
   return options;
 }
 
@@ -88,6 +105,18 @@ std::optional<std::string> unknownName(const codegen::Model& model,
   return std::nullopt;
 }
 
+/// Measures how long skills take, within what is left of the time limit.
+std::vector<ide::SkillDuration> durationsOf(const VerifyArguments& arguments,
+                                            const codegen::Model& model) {
+  if (!arguments.durations) return {};
+  const auto asked = ide::askForDurations(model);
+  ProgressLine progress;
+  auto options = engineOptions(arguments, &progress);
+  const auto known = cache::cacheFor(arguments.cache, asked.model);
+  options.answers = known.get();
+  return ide::measureDurations(asked, options);
+}
+
 /// Prints and saves a finished report. \return the exit code
 int deliver(const VerifyArguments& arguments, const report::VerifyReport& report) {
   report::VerifyReport printed = report;
@@ -117,12 +146,14 @@ ide::WantedTraces wantedTraces(const VerifyArguments& arguments) {
 }
 
 std::expected<ide::VerificationReport, verify::Unsupported>
-askEngine(const VerifyArguments& arguments, const codegen::Model& model) {
+askEngine(const VerifyArguments& arguments, const analysis::Program& program,
+          const codegen::Model& model, cache::CheckpointFile* checkpoint = nullptr) {
   ProgressLine progress;
-  auto options = engineOptions(arguments, &progress);
+  auto options = engineOptions(arguments, &progress, checkpoint);
   const auto known = cache::cacheFor(arguments.cache, model);
   options.answers = known.get();
   auto report = ide::verifyModel(model, arguments.properties, options, {}, wantedTraces(arguments));
+  if (report) ide::noteOriginals(program, *report);
   if (!known) return report;
   if (const auto problem = known->save())
     std::cerr << "warning: verdicts are not kept: " << syntax::printable(*problem) << '\n';
@@ -131,10 +162,11 @@ askEngine(const VerifyArguments& arguments, const codegen::Model& model) {
 
 int verifyByTina(const VerifyArguments& arguments, const analysis::Program& program,
                  const codegen::Model& model) {
-  const auto run =
+  auto run =
       runTina(arguments.backend, model, arguments.properties, engineOptions(arguments, nullptr));
   if (!run) return fail(run.error());
   if (!run->said) return fail(tina::explain(run->said.error()));
+  ide::noteOriginals(program, run->said->report);
   return deliver(arguments, {program, model, run->said->report, model.mainSkill, "tina"});
 }
 
@@ -145,7 +177,7 @@ int verifyByBoth(const VerifyArguments& arguments, const analysis::Program& prog
   const auto options = engineOptions(arguments, nullptr);
   const auto run = runTina(arguments.backend, model, arguments.properties, options);
   if (!run) return fail(run.error());
-  const auto engine = askEngine(arguments, model);
+  const auto engine = askEngine(arguments, program, model);
   if (!engine) return failUnsupported(engine.error());
   const report::VerifyReport report{program, model, *engine, model.mainSkill, "both"};
   const int code = deliver(arguments, report);
@@ -167,20 +199,89 @@ int verifyByBoth(const VerifyArguments& arguments, const analysis::Program& prog
   return kDiffer;
 }
 
+/// Saves the state of the search also when a terminal is closed, or the machine shuts down.
+void noticeEndings() {
+  std::signal(SIGTERM, onInterrupt);
+  std::signal(SIGHUP, onInterrupt);
+}
+
+/// The file for the state of a search of this kind; see openCheckpoint().
+std::expected<std::unique_ptr<cache::CheckpointFile>, std::string>
+checkpointOf(const std::string& kind, const VerifyArguments& arguments, const codegen::Model& model,
+             const std::vector<verify::Question>& questions) {
+  if (arguments.checkpoint.file.empty()) return nullptr;
+  if (disk::replaces(arguments.checkpoint.file, arguments.file))
+    return std::unexpected("`--checkpoint` names the file that is read");
+  noticeEndings();
+  return openCheckpoint(
+      arguments.checkpoint,
+      cache::checkpointKey(kind, model, questions, engineOptions(arguments, nullptr)));
+}
+
+/// Whether all ranks verify the same.
+bool isAgreed(const std::string& kind, const VerifyArguments& arguments,
+              const codegen::Model& model, const std::vector<verify::Question>& questions) {
+  if (!arguments.ranks) return true;
+  const auto key = cache::checkpointKey(kind, model, questions, engineOptions(arguments, nullptr));
+  const auto problem = arguments.ranks->disagreement(
+      fmt::format("{} {} {} {}", key.build, key.model, key.questions, key.settings));
+  if (problem && !isAssistant(arguments)) fail(*problem);
+  return !problem;
+}
+
 int verifyProperties(const VerifyArguments& arguments, const analysis::Program& program,
                      const codegen::Model& model) {
   if (auto unknown = unknownName(model, arguments.properties))
     return fail(fmt::format("no property is called `{}`; `--list` shows their names", *unknown));
   std::signal(SIGINT, onInterrupt);
   if (arguments.backend.backend != Backend::Engine) {
-    std::signal(SIGTERM, onInterrupt); // to remove temporary files
-    std::signal(SIGHUP, onInterrupt);
+    noticeEndings(); // to remove temporary files
     return arguments.backend.backend == Backend::Tina ? verifyByTina(arguments, program, model)
                                                       : verifyByBoth(arguments, program, model);
   }
-  const auto result = askEngine(arguments, model);
+  const auto checkpoint =
+      checkpointOf("verify", arguments, model, ide::askedOf(model, arguments.properties).questions);
+  if (!checkpoint) return fail(checkpoint.error());
+  if (!isAgreed("verify", arguments, model, ide::askedOf(model, arguments.properties).questions))
+    return kFailed;
+  const auto result = askEngine(arguments, program, model, checkpoint->get());
+  if (isAssistant(arguments)) return kDone;
   if (!result) return failUnsupported(result.error());
-  return deliver(arguments, {program, model, *result, model.mainSkill});
+  report::VerifyReport report{program, model, *result, model.mainSkill};
+  report.durations = durationsOf(arguments, model);
+  if (arguments.explainSize) {
+    auto size =
+        ide::explainSize(program, model, arguments.properties, engineOptions(arguments, nullptr));
+    if (size) report.size = std::move(*size);
+  }
+  const int code = deliver(arguments, report);
+  if (code != kFailed) closeCheckpoint(checkpoint->get());
+  return code;
+}
+
+/// Counts or writes the state graph.
+int exploreStateGraph(const VerifyArguments& arguments, const codegen::Model& model) {
+  std::signal(SIGINT, onInterrupt);
+  const bool isCount =
+      arguments.graph == "counts" && arguments.graphOf == verify::GraphKind::Classes;
+  if (!isCount && !arguments.checkpoint.file.empty())
+    return fail("`--checkpoint` saves verifications and `--graph counts`, but no other graphs");
+  const auto checkpoint = checkpointOf("classes", arguments, model, {});
+  if (!checkpoint) return fail(checkpoint.error());
+  if (!isAgreed("classes", arguments, model, {})) return kFailed;
+  if (isAssistant(arguments)) {
+    (void)verify::countClasses(model.fiacre, engineOptions(arguments, nullptr));
+    return kDone;
+  }
+  int code = kDone;
+  {
+    ProgressLine progress;
+    code = exploreGraph(arguments.graph, arguments.graphOf, model,
+                        engineOptions(arguments, &progress, checkpoint->get()));
+  }
+  std::fflush(stdout);
+  if (code != kFailed) closeCheckpoint(checkpoint->get());
+  return code;
 }
 
 int runModel(const VerifyArguments& arguments, const analysis::Program& program,
@@ -189,12 +290,7 @@ int runModel(const VerifyArguments& arguments, const analysis::Program& program,
     for (const auto& check : model.checks) fmt::print("{}\n", check.name);
     return kDone;
   }
-  if (!arguments.graph.empty()) {
-    std::signal(SIGINT, onInterrupt);
-    ProgressLine progress;
-    return exploreGraph(arguments.graph, arguments.graphOf, model,
-                        engineOptions(arguments, &progress));
-  }
+  if (!arguments.graph.empty()) return exploreStateGraph(arguments, model);
   return verifyProperties(arguments, program, model);
 }
 
@@ -247,7 +343,9 @@ codegen::Edition editionFor(const VerifyArguments& arguments) {
   return arguments.expanded ? codegen::Edition::Expanded : codegen::Edition::Compact;
 }
 
-int runVerify(const VerifyArguments& arguments) {
+int verifyFile(const VerifyArguments& arguments) {
+  if (!arguments.checkpoint.file.empty() && arguments.backend.backend != Backend::Engine)
+    return fail("`--checkpoint` needs `--backend engine`");
   if (ide::isFiacre(arguments.file)) return runFiacre(arguments);
   auto program = loadChecked(arguments.file, arguments.colour);
   if (!program) return kFailed;
@@ -260,6 +358,18 @@ int runVerify(const VerifyArguments& arguments) {
   if (!model) return failGeneration(*program, model.error());
   if (!addAll(arguments, *program, *model)) return kFailed;
   return runModel(arguments, *program, *model);
+}
+
+int runVerify(const VerifyArguments& arguments) {
+  if (!arguments.mpi) return verifyFile(arguments);
+  if (const auto problem = problemWithRanks(arguments)) return fail(*problem);
+  const auto ranks = VerifyRanks::open();
+  if (!ranks) return fail(ranks.error());
+  noticeEndings();
+  VerifyArguments own = arguments;
+  own.ranks = ranks->get();
+  if (own.ranks->isAssistant()) own.cache.clear();
+  return verifyFile(own);
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 #include "cli/commands/verify_arguments.h"
 
 #include "cli/terminal/help.h"
+#include "cli/terminal/number.h"
+#include "cli/terminal/usage.h"
 #include "verify/reduction_names.h"
 
 #include <algorithm>
@@ -27,7 +29,7 @@ std::string takeReduction(std::string& word) {
     word = it.name;
     return "";
   }
-  return "`" + word + "` is none of " + reductionNames();
+  return notOneOf(word, CLI::detail::split(reductionNames(), '|'));
 }
 
 void addSubject(CLI::App& command, VerifyArguments& arguments) {
@@ -78,6 +80,12 @@ void addOutput(CLI::App& command, VerifyArguments& arguments) {
                                 {"untimed", verify::GraphKind::Untimed}},
                                "States of that graph: state classes, markings, or markings "
                                "without time");
+  show(command.add_flag("--durations", arguments.durations,
+                        "Also print how long each skill takes at least and at most"),
+       group::kOutput);
+  show(command.add_flag("--explain-size", arguments.explainSize,
+                        "Also explain which variables, clocks and processes multiply the states"),
+       group::kOutput);
   show(command.add_flag("--strict", arguments.strict, "Exit with 1 for warnings too"),
        group::kOutput);
   addColour(command, arguments.colour);
@@ -86,15 +94,35 @@ void addOutput(CLI::App& command, VerifyArguments& arguments) {
 void addLimits(CLI::App& command, VerifyArguments& arguments) {
   show(command
            .add_option("--time-limit", arguments.timeLimit,
-                       "Time limit in seconds; properties not decided by then are inconclusive")
+                       "Time limit in seconds (default: none); properties not decided by then are "
+                       "inconclusive")
            ->check(positiveSeconds()),
        group::kLimits, "SECONDS");
-  show(command.add_option("--memory-limit", arguments.memoryLimit, "Memory limit in MiB")
-           ->check(CLI::PositiveNumber),
+  show(command
+           .add_option("--memory-limit", arguments.memoryLimit,
+                       "Memory limit in MiB (default: none)")
+           ->check(integerBetween(1)),
        group::kLimits, "MIB");
-  show(command.add_option("--class-limit", arguments.classLimit, "Limit of explored state classes")
-           ->check(CLI::PositiveNumber),
+  show(command
+           .add_option("--class-limit", arguments.classLimit,
+                       "Limit of explored state classes (default: none)")
+           ->check(integerBetween(1)),
        group::kLimits, "NUMBER");
+}
+
+void addCheckpoint(CLI::App& command, CheckpointArguments& arguments) {
+  auto* checkpoint = show(
+      command.add_option("--checkpoint", arguments.file,
+                         "Save the state of a long search in this file, and go on from there if "
+                         "it exists; it is removed at the end"),
+      group::kLimits, "FILE");
+  show(command
+           .add_option("--every", arguments.every,
+                       "Seconds between two checkpoints (default 60); more if writing would take "
+                       "over a tenth of the time")
+           ->check(positiveSeconds())
+           ->needs(checkpoint),
+       group::kLimits, "SECONDS");
 }
 
 void addAdvanced(CLI::App& command, VerifyArguments& arguments) {
@@ -102,9 +130,15 @@ void addAdvanced(CLI::App& command, VerifyArguments& arguments) {
                           "Keep verdicts in this directory, and use those that are kept there"),
        group::kAdvanced, "DIRECTORY");
   show(command
-           .add_option("--jobs", arguments.jobs, "Threads to explore with; this version uses one")
-           ->check(CLI::Range(1U, 256U)),
+           .add_option("--jobs", arguments.jobs,
+                       "Threads for a long search (default: one for each processor, at most 8); "
+                       "results do not "
+                       "depend on their number")
+           ->check(integerBetween(1, 256)),
        group::kAdvanced, "NUMBER");
+  show(command.add_flag("--mpi", arguments.mpi,
+                        "Share a long search with the other processes that `mpirun` has started"),
+       group::kAdvanced);
   show(command
            .add_option("--reduce", arguments.reduce,
                        "Reductions of the state space, separated by commas; verdicts do not depend "
@@ -131,6 +165,16 @@ void addAdvanced(CLI::App& command, VerifyArguments& arguments) {
 
 } // namespace
 
+std::optional<std::string> problemWithRanks(const VerifyArguments& arguments) {
+  if (arguments.backend.backend != Backend::Engine) return "`--mpi` needs `--backend engine`";
+  if (!arguments.checkpoint.file.empty()) return "`--mpi` has no checkpoints";
+  const bool isCount =
+      arguments.graph == "counts" && arguments.graphOf == verify::GraphKind::Classes;
+  if (arguments.list || (!arguments.graph.empty() && !isCount))
+    return "`--mpi` verifies properties, or counts classes with `--graph counts`";
+  return std::nullopt;
+}
+
 std::set<verify::Reduction> chosenReductions(const std::vector<std::string>& names) {
   std::set<verify::Reduction> chosen;
   for (const auto& it : verify::kReductionNames)
@@ -145,6 +189,7 @@ void addVerifyOptions(CLI::App& command, VerifyArguments& arguments) {
   addSubject(command, arguments);
   addOutput(command, arguments);
   addLimits(command, arguments);
+  addCheckpoint(command, arguments.checkpoint);
   addBackend(command, arguments.backend);
   addAdvanced(command, arguments);
 }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "cli/output/checkpoint.h"
 #include "cli/output/tina_backend.h"
+#include "cli/ranks/verify_ranks.h"
 #include "cli/terminal/choice.h"
 #include "cli/terminal/paint.h"
 #include "codegen/model.h"
@@ -24,7 +26,7 @@ struct VerifyArguments {
   VerifyFormat format = VerifyFormat::Text;
   report::ShowTraces traces = report::ShowTraces::Failed;
   ColourChoice colour = ColourChoice::Auto;
-  unsigned jobs = 1;
+  std::optional<unsigned> jobs; ///< none: as many as pay on this machine
   std::chrono::steady_clock::time_point begun = std::chrono::steady_clock::now();
   std::optional<double> timeLimit;
   std::optional<std::uint64_t> memoryLimit; // MiB
@@ -33,18 +35,26 @@ struct VerifyArguments {
   std::string report;
   std::vector<std::string> reduce;
   std::string cache;
+  CheckpointArguments checkpoint;
   std::string graph;
   verify::GraphKind graphOf = verify::GraphKind::Classes;
   BackendArguments backend;
   bool fairRuns = true;
   bool list = false; ///< print only the names of the properties
   bool strict = false;
+  bool durations = false; ///< measure how long skills take
+  bool explainSize = false;
   bool expanded = false;
+  bool mpi = false;
+  VerifyRanks* ranks = nullptr; ///< with `mpi`, once they are connected
   codegen::StateVariableAutomata automata = codegen::StateVariableAutomata::Exact;
 };
 
 /// Adds the command's options and their help. `arguments` must outlive the command.
 void addVerifyOptions(CLI::App& command, VerifyArguments& arguments);
+
+/// Why several ranks cannot do what is asked; nothing if they can.
+[[nodiscard]] std::optional<std::string> problemWithRanks(const VerifyArguments& arguments);
 
 /// The reductions with these names; all if there are none.
 [[nodiscard]] std::set<verify::Reduction> chosenReductions(const std::vector<std::string>& names);

@@ -1,4 +1,4 @@
-#include "cli/commands/verify_worker.h"
+#include "cli/commands/commands.h"
 
 #include "worker/verify_worker.h"
 

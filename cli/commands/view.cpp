@@ -1,11 +1,15 @@
-#include "cli/commands/view.h"
+#include "cli/commands/commands.h"
 
 #include "cli/terminal/browser.h"
 #include "cli/terminal/choice.h"
 #include "cli/terminal/error.h"
 #include "cli/terminal/exit_code.h"
 #include "cli/terminal/help.h"
+#include "cli/terminal/length_of_time.h"
+#include "cli/terminal/number.h"
 #include "disk/disk.h"
+#include "disk/large_file.h"
+#include "report/run/recording_part.h"
 #include "view/http_server.h"
 #include "view/panel_routes.h"
 
@@ -27,24 +31,42 @@ struct ViewArguments {
   bool noOpen = false;
   double timeLimit = 60;
   std::uint64_t memoryLimit = 2048; // in MiB
+  std::optional<runtime::Nanoseconds> from;
 };
 
-/// By the extension, or by the first character, which no program begins with.
-bool isJson(const std::filesystem::path& path, const std::string& text) {
+/// A trace or a report: by the extension, or by the first character, which no program begins with.
+bool isRecorded(const std::filesystem::path& path, const std::string& text) {
   if (path.extension() == ".json") return true;
   const auto first = text.find_first_not_of(" \t\r\n");
   return first != std::string::npos && text[first] == '{';
 }
 
+/// The trace of a part of the file, if it is an MCAP file.
+std::optional<std::expected<report::TraceOfPart, std::string>>
+partOfRecording(const ViewArguments& arguments) {
+  const auto file = disk::LargeFile::open(arguments.file);
+  if (!file) return std::nullopt;
+  const report::mcap::File recording{file->size(), file->reader()};
+  if (!recording.isMcap()) return std::nullopt;
+  report::PartOfRun part;
+  if (arguments.from)
+    part.from = static_cast<double>(*arguments.from) / static_cast<double>(runtime::kSecond);
+  return traceOfPart(recording, part);
+}
+
 std::expected<std::unique_ptr<view::PanelData>, std::string> dataOf(const ViewArguments& arguments,
                                                                     view::EventFeed& news) {
   const std::filesystem::path path(arguments.file);
+  if (const auto part = partOfRecording(arguments)) {
+    if (!*part) return std::unexpected("`" + arguments.file + "`: " + part->error());
+    return view::savedReport(arguments.file, (*part)->text);
+  }
   const auto text = disk::DiskFileSystem().read(path);
   if (!text) return std::unexpected("cannot read `" + arguments.file + "`: " + text.error());
-  if (isJson(path, *text)) return view::savedReport(arguments.file, *text);
+  if (isRecorded(path, *text)) return view::savedReport(arguments.file, *text);
   verify::Limits limits;
   limits.seconds = arguments.timeLimit;
-  limits.bytes = arguments.memoryLimit * 1024 * 1024;
+  limits.bytes = bytesOfMiB(arguments.memoryLimit);
   return liveProgram({arguments.file, arguments.mainSkill, limits}, news);
 }
 
@@ -74,9 +96,14 @@ void addView(CLI::App& app, int& exitCode) {
       app.add_subcommand("view", "Show verdicts, traces and automata in a browser, live");
   command
       ->add_option("file", arguments->file,
-                   "Root file of the program, or a saved trace or report (JSON)")
+                   "Root file of the program, or a saved trace or report (JSON), or a recording "
+                   "(JSON or MCAP)")
       ->required();
   addMainSkill(*command, arguments->mainSkill);
+  addLengthOfTime(*command, "--from", arguments->from,
+                  "Show the part of a long recording that begins at this time of its run, in "
+                  "seconds or with m, h, d; default: the last part",
+                  group::kOutput);
   show(command->add_flag("--no-open", arguments->noOpen,
                          "Print the address without opening a browser"),
        group::kOutput);
@@ -89,10 +116,12 @@ void addView(CLI::App& app, int& exitCode) {
   show(command
            ->add_option("--memory-limit", arguments->memoryLimit,
                         "Memory limit of a verification in MiB (default 2048)")
-           ->check(CLI::PositiveNumber),
+           ->check(integerBetween(1)),
        group::kLimits, "MIB");
-  show(command->add_option("--port", arguments->port,
-                           "Port on the loopback interface (0, the default: any free port)"),
+  show(command
+           ->add_option("--port", arguments->port,
+                        "Port on the loopback interface (0, the default: any free port)")
+           ->check(portNumber()),
        group::kAdvanced, "PORT");
   showBelow(*command, {"proskill view mission.proskill", "proskill view report.json"},
             {{kDone, "ended by Ctrl-C"}, {kFailed, "the file or the port cannot be used"}});

@@ -15,6 +15,7 @@ struct LiveViewArguments {
   bool isOn = false;
   bool noOpen = false;
   bool noControls = false;
+  bool controls = false; ///< also of a run in real time
   std::uint16_t port = 0;
 };
 

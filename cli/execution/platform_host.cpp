@@ -1,4 +1,4 @@
-#include "cli/execution/platform_host.h"
+#include "cli/execution/commands.h"
 
 #include "host/host.h"
 

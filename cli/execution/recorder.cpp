@@ -1,119 +1,153 @@
 #include "cli/execution/recorder.h"
 
+#include <algorithm>
+#include <poll.h>
 #include <utility>
 
 namespace proskill::cli {
 
 namespace {
 
+using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
 /// Limit of bytes that wait to be written.
 constexpr std::size_t kMostWaiting = std::size_t{32} << 20;
+/// Larger additions are divided.
+constexpr std::size_t kLargest = std::size_t{1} << 20;
 /// In simulated time, this many bytes are written at once, or what there is after a short delay:
 /// steps come so fast that separate writes would dominate.
 constexpr std::size_t kBatch = std::size_t{64} << 10;
-constexpr auto kMoment = std::chrono::milliseconds(100);
+constexpr milliseconds kMoment(100);
+/// Time between two writes in real time. It bounds the cost of a run with many steps per second.
+constexpr milliseconds kBetweenWrites(5);
 /// Interval at which the file is synchronised with the disk, to survive a power failure.
-constexpr auto kSyncEvery = std::chrono::seconds(1);
+constexpr milliseconds kSyncEvery(1'000);
+
+milliseconds until(steady_clock::time_point date) {
+  return std::max(std::chrono::ceil<milliseconds>(date - steady_clock::now()), milliseconds(0));
+}
 
 } // namespace
 
+void Sleeper::wait(milliseconds patience) const {
+  pollfd watched{bell.descriptor(), POLLIN, 0};
+  ::poll(&watched, 1, static_cast<int>(patience.count()));
+}
+
 Recorder::Recorder(disk::GrowingFile to, RunTime time)
-    : file(std::move(to)), isReal(time == RunTime::Real) {}
+    : file(std::move(to)), isReal(time == RunTime::Real), queue(kMostWaiting) {}
 
 Recorder::~Recorder() { std::ignore = finish(); }
 
 std::optional<std::string> Recorder::add(std::string_view bytes, std::string_view last) {
   if (!thread.joinable()) return begin(bytes, last);
-  Lock lock(mutex);
-  if (!isReal)
-    hasRoom.wait(lock, [&] { return isEnded || waiting.size() < kMostWaiting; });
-  else if (waiting.size() >= kMostWaiting)
-    stop("the disk does not keep up with the run");
-  if (isEnded) return complaint();
-  const auto size = waiting.size();
-  waiting += bytes;
-  sizes.push_back(static_cast<std::uint32_t>(bytes.size()));
-  end = last;
-  if (isReal ? size == 0 : size < kBatch && waiting.size() >= kBatch) hasBytes.notify_one();
+  for (; bytes.size() > kLargest; bytes.remove_prefix(kLargest))
+    if (auto wrong = put({.last = {}}, bytes.substr(0, kLargest))) return wrong;
+  return put({.last = last}, bytes);
+}
+
+std::optional<std::string> Recorder::replace(std::uint64_t at, std::string_view bytes) {
+  return put({.replaces = true, .at = at}, bytes);
+}
+
+std::optional<std::string> Recorder::put(const Order& order, std::string_view bytes) {
+  if (isReported) return std::nullopt;
+  const auto isOver = [&] { return isEnded.load(std::memory_order_acquire); };
+  while (!isOver() && !queue.push(order, bytes)) {
+    if (isReal) {
+      isReported = true;
+      return "the disk does not keep up with the run";
+    }
+    adder.sleep(kMoment, [&] { return isOver() || queue.used() < kMostWaiting / 2; });
+  }
+  if (isOver()) return complaint();
+  if (isReal || queue.used() >= kBatch) writer.wake();
   return std::nullopt;
 }
 
 std::optional<std::string> Recorder::begin(std::string_view bytes, std::string_view last) {
   auto wrong = file.add(bytes, last);
-  isEnded = wrong.has_value();
+  isEnded = isReported = wrong.has_value();
   thread = std::thread([this] { run(); });
   return wrong;
 }
 
 std::optional<std::string> Recorder::finish() {
-  {
-    const Lock lock(mutex);
-    isFinished = true;
-    hasBytes.notify_one();
-  }
+  isFinished = true;
+  writer.wake();
   if (thread.joinable()) thread.join();
-  return complaint();
+  return isEnded ? complaint() : std::nullopt;
 }
 
-std::optional<std::string> Recorder::complaint() { return std::exchange(failure, std::nullopt); }
-
-void Recorder::stop(std::string why) {
-  if (!isEnded) failure = std::move(why);
-  isEnded = true;
-  hasRoom.notify_one();
+std::optional<std::string> Recorder::complaint() {
+  if (std::exchange(isReported, true)) return std::nullopt;
+  return failure;
 }
 
 void Recorder::run() {
-  Lock lock(mutex);
-  while (!isEnded && !(isFinished && waiting.empty())) {
-    awaitBytes(lock);
-    if (!waiting.empty() && !isEnded) write(lock);
-    if (!isSynced && steady_clock::now() - lastSync >= kSyncEvery) sync(lock);
+  while (!isEnded) {
+    const bool isLast = isFinished; // before the last look at the queue
+    writeAll();
+    if (isLast) return;
+    if (!isSynced && until(lastSync + kSyncEvery) == milliseconds(0)) sync();
+    rest();
   }
 }
 
-void Recorder::awaitBytes(Lock& lock) {
-  const auto isEnough = [&] {
-    return isFinished || isEnded || (isReal ? !waiting.empty() : waiting.size() >= kBatch);
+/// Sleeps until there is something to write, or to hand to the disk.
+void Recorder::rest() {
+  const auto isOver = [&] { return isFinished.load(); };
+  if (!isReal) return writer.sleep(kMoment, [&] { return isOver() || queue.used() >= kBatch; });
+  const auto between = steady_clock::now() + kBetweenWrites;
+  const auto patience = isSynced ? milliseconds(-1) : until(lastSync + kSyncEvery);
+  writer.sleep(patience, [&] { return isOver() || queue.used() > 0; });
+  while (!isOver() && until(between) > milliseconds(0)) std::this_thread::sleep_until(between);
+}
+
+void Recorder::writeAll() {
+  const auto take = [&](const Order& order, std::string_view bytes) {
+    if (order.replaces) {
+      write();
+      if (!isEnded) file.replace(order.at, bytes);
+      return;
+    }
+    writing += bytes;
+    sizes.push_back(static_cast<std::uint32_t>(bytes.size()));
+    end = order.last;
+    if (writing.size() >= kLargest) write();
   };
-  if (!isReal)
-    hasBytes.wait_for(lock, kMoment, isEnough);
-  else if (isSynced)
-    hasBytes.wait(lock, isEnough);
-  else
-    hasBytes.wait_until(lock, lastSync + kSyncEvery, isEnough);
+  while (!isEnded && queue.pop(take)) {
+  }
+  write();
 }
 
-void Recorder::write(Lock& lock) {
-  std::swap(waiting, writing);
-  std::swap(sizes, writingSizes);
-  const auto last = end;
-  lock.unlock();
-  auto wrong = file.add(writing, last);
-  if (wrong) wrong = addOneByOne(last);
+void Recorder::write() {
+  if (writing.empty() || isEnded) return;
+  auto wrong = file.add(writing, end);
+  if (wrong) wrong = addOneByOne();
   writing.clear();
-  writingSizes.clear();
-  lock.lock();
-  if (wrong) return stop(*wrong);
+  sizes.clear();
+  if (wrong) {
+    failure = std::move(*wrong);
+    isEnded.store(true, std::memory_order_release);
+  }
   isSynced = !isReal;
-  hasRoom.notify_one();
+  adder.wake();
 }
 
-std::optional<std::string> Recorder::addOneByOne(std::string_view last) {
+/// Adds what fits of that for which there was no room.
+std::optional<std::string> Recorder::addOneByOne() {
   std::string_view rest = writing;
-  for (const auto size : writingSizes) {
-    if (auto wrong = file.add(rest.substr(0, size), last)) return wrong;
+  for (const auto size : sizes) {
+    if (auto wrong = file.add(rest.substr(0, size), end)) return wrong;
     rest.remove_prefix(size);
   }
   return std::nullopt;
 }
 
-void Recorder::sync(Lock& lock) {
-  lock.unlock();
+void Recorder::sync() {
   file.sync();
-  lock.lock();
   isSynced = true;
   lastSync = steady_clock::now();
 }

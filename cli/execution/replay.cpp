@@ -1,4 +1,4 @@
-#include "cli/execution/replay.h"
+#include "cli/execution/commands.h"
 
 #include "cli/output/checked_program.h"
 #include "cli/terminal/error.h"

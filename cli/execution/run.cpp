@@ -1,16 +1,19 @@
-#include "cli/execution/run.h"
+#include "cli/execution/commands.h"
 
+#include "cli/execution/default_recording.h"
 #include "cli/execution/live_view.h"
-#include "cli/execution/recorder.h"
+#include "cli/execution/recording_format.h"
 #include "cli/execution/run_arguments.h"
+#include "cli/execution/service.h"
 #include "cli/output/checked_program.h"
+#include "cli/output/python_package.h"
 #include "cli/terminal/error.h"
 #include "cli/terminal/exit_code.h"
 #include "cli/terminal/help.h"
 #include "disk/disk.h"
-#include "report/run/run_report.h"
+#include "groot/monitor.h"
 #include "runtime/platform/json.h"
-#include "runtime/platform/ros1.h"
+#include "runtime/platform/ros.h"
 #include "runtime/platform/settings.h"
 
 #include <CLI/CLI.hpp>
@@ -63,6 +66,8 @@ class Observers final : public runtime::Observer {
 public:
   explicit Observers(bool atOnce) : flushes(atOnce) {}
   void add(std::unique_ptr<runtime::Observer> one) { all.push_back(std::move(one)); }
+  /// Ends all.
+  void clear() { all.clear(); }
 
   void onStep(const runtime::Machine& machine, verify::TransitionId step, runtime::Nanoseconds date,
               runtime::Nanoseconds lag) override {
@@ -94,11 +99,12 @@ public:
     if (!kind) return fail(arguments.platform + ": " + kind.error());
     if (*kind == "process") return runOnProcess(*platformText);
     if (*kind == "library") return runOnLibrary(*platformText);
-    if (*kind == "ros1") return runOnRos1(*platformText);
+    if (*kind == "ros1") return runOnRos(*platformText, runtime::Ros::One);
+    if (*kind == "ros2") return runOnRos(*platformText, runtime::Ros::Two);
     if (*kind == "simulated") return runSimulated(platformText, scriptText);
     return fail(arguments.platform +
-                ": `kind` must be `simulated`, `process`, `library` or `ros1`, not `" + *kind +
-                "`");
+                ": `kind` must be `simulated`, `process`, `library`, `ros1` or `ros2`, not `" +
+                *kind + "`");
   }
 
 private:
@@ -158,33 +164,21 @@ private:
   }
 
   /// Starts the adapter of the Python package, which speaks with ROS.
-  int runOnRos1(const std::string& text) {
+  int runOnRos(const std::string& text, runtime::Ros ros) {
     runtime::ProcessSettings settings;
     prepareForProcess(settings);
     if (arguments.clock != "real" && !arguments.clock.empty())
       return fail("`--clock` must be real: ROS takes real time");
-    if (const auto wrong = readRos1Platform(text, program, *executable, settings))
+    const auto library = ros == runtime::Ros::Two ? ddsLibrary() : std::string();
+    if (const auto wrong = readRosPlatform(text, ros, program, *executable, settings, library))
       return failUnusable(*wrong, arguments.platform);
+    if (ros == runtime::Ros::Two && library.empty())
+      return fail("platforms of kind `ros2` need Fast DDS: build `proskill` with libfastrtps-dev");
     settings.name = "the ROS adapter";
     settings.isOurs = true;
-    const auto adapter = adapterOfRos1();
-    if (adapter.empty())
-      settings.command.insert(settings.command.end(), {"-m", "proskill.ros1"});
-    else
-      settings.command.push_back(adapter.string());
+    for (auto& word : pythonPackage(ros == runtime::Ros::One ? "ros1" : "ros2"))
+      settings.command.push_back(std::move(word));
     return runOnProcess(std::move(settings), arguments.platform);
-  }
-
-  /// The adapter that belongs to this program: installed with it, or in the tree in which it was
-  /// built. Empty: neither, so Python looks for its package.
-  static std::filesystem::path adapterOfRos1() {
-    std::error_code error;
-    const auto folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
-    for (const char* place : {"../lib/python3/dist-packages", "../../python"}) {
-      auto found = (folder / place / "proskill" / "ros1").lexically_normal();
-      if (std::filesystem::exists(found / "__main__.py", error)) return found;
-    }
-    return {};
   }
 
   /// A program needs real time.
@@ -217,7 +211,26 @@ private:
   }
 
   int runOn(runtime::Platform& platform, std::optional<double> factor) {
-    auto clock = factor ? runtime::realClock(*factor) : runtime::simulatedClock();
+    const auto manager = ServiceManager::ofEnvironment();
+    manager.tell("READY=1");
+    auto clock = factor ? watchedClock(runtime::realClock(*factor), manager, *factor)
+                        : runtime::simulatedClock();
+    if (arguments.rate) clock = tickingClock(std::move(clock), runtime::kSecond / *arguments.rate);
+    if (arguments.isRealtime) warnOfRealtime(factor.has_value());
+    const auto exitCode = runShown(platform, std::move(clock), factor);
+    manager.tell("STOPPING=1");
+    return exitCode;
+  }
+
+  static void warnOfRealtime(bool isReal) {
+    if (!isReal) throw Failed{fail("`--realtime` is for real clocks: see `--clock`")};
+    if (const auto refused = becomeRealtime(); !refused.empty())
+      std::cerr << "warning: `--realtime`: " << refused << '\n';
+  }
+
+  int runShown(runtime::Platform& platform, std::unique_ptr<runtime::Clock> clock,
+               std::optional<double> factor) {
+    if (arguments.groot.isOn) openMonitor(factor.has_value());
     if (!arguments.view.isOn) return runOn(platform, *clock, factor);
     const auto shown = openView(factor);
     clock = pausableClock(std::move(clock), shown->pause);
@@ -225,12 +238,24 @@ private:
     return runOn(*controlled, *clock, factor, shown.get());
   }
 
+  void openMonitor(bool isReal) {
+    auto tree = groot::treeOf(program, *executable);
+    if (!tree) throw Failed{fail("`--groot` is not possible: " + tree.error())};
+    auto sockets = groot::Sockets::open(arguments.groot.port);
+    if (!sockets) throw Failed{fail("`--groot` is not possible: " + sockets.error())};
+    monitor = std::make_unique<groot::Monitor>(std::move(*tree), *executable, std::move(*sockets),
+                                               !isReal);
+    std::cerr << "viewers of behavior trees can connect to port " << monitor->port() << std::endl;
+  }
+
   [[nodiscard]] std::unique_ptr<LiveView> openView(std::optional<double> factor) const {
-    auto shown = LiveView::open(arguments.view, {.program = program,
-                                                 .executable = *executable,
-                                                 .speed = factor,
-                                                 .isSimulation = isSimulation,
-                                                 .askToEnd = [] { askToStop(SIGINT); }});
+    auto view = arguments.view;
+    view.noControls = view.noControls || (arguments.isRealtime && !view.controls);
+    auto shown = LiveView::open(view, {.program = program,
+                                       .executable = *executable,
+                                       .speed = factor,
+                                       .isSimulation = isSimulation,
+                                       .askToEnd = [] { askToStop(SIGINT); }});
     if (!shown) throw Failed{fail(shown.error())};
     return std::move(*shown);
   }
@@ -244,9 +269,10 @@ private:
     observers.add(arguments.format == RunFormat::Json
                       ? report::runJson(std::cout, subject)
                       : report::runText(std::cout, subject, colour));
-    if (!arguments.record.empty())
-      addRecording(recorder, subject, factor ? RunTime::Real : RunTime::Simulated, observers);
+    if (const auto file = fileToRecord(); !file.empty())
+      addRecording(recorder, file, subject, factor ? RunTime::Real : RunTime::Simulated, observers);
     if (shown) observers.add(shown->observer());
+    if (monitor) observers.add(monitor->observer());
     runtime::RunOptions options{.seed = arguments.seed,
                                 .until = arguments.until,
                                 .stopRequests = &stopRequests,
@@ -256,53 +282,64 @@ private:
       options.until = executable->mission == verify::kNone ? 60 * runtime::kSecond
                                                            : 24 * 3600 * runtime::kSecond;
     const auto result = execute(*executable, clock, platform, observers, options);
+    observers.clear(); // what they add at their end is still recorded
     if (recorder) warnOfRecording(recorder->finish());
     if (arguments.format == RunFormat::Json)
-      report::writeRunSummaryJson(std::cout, result);
+      report::writeRunSummaryJson(std::cout, subject, result);
     else
       report::writeRunSummary(std::cout, subject, result, colour);
-    if (shown) stay(*shown, result);
-    return exitCodeOf(result);
+    if (shown) shown->finish(result);
+    if (shown)
+      stay("at " + shown->url(), result);
+    else if (monitor)
+      stay("at port " + std::to_string(monitor->port()), result);
+    const auto exitCode = exitCodeOf(result);
+    return exitCode == kDone && lacksRecording ? kFailed : exitCode;
   }
 
   /// Shows the run until a request to end; the first one may have ended the run.
-  static void stay(LiveView& shown, const runtime::RunResult& result) {
+  static void stay(const std::string& place, const runtime::RunResult& result) {
     using runtime::End;
-    shown.finish(result);
     std::cout.flush();
     const bool wasAsked = result.end == End::Stopped || result.end == End::Abandoned;
     if (isatty(STDERR_FILENO) != 0)
-      std::cerr << "it is still shown at " << shown.url() << "; Ctrl-C ends this\n";
+      std::cerr << "it is still shown " << place << "; Ctrl-C ends this\n";
     awaitStop(wasAsked ? 1 : 0);
   }
 
-  void addRecording(std::optional<Recorder>& recorder, report::RunSubject subject, RunTime time,
-                    Observers& observers) {
-    auto created = disk::GrowingFile::create(arguments.record);
-    if (!created) throw Failed{fail(created.error())};
+  /// A robot's run is recorded unless the user does not want it: it cannot be repeated. Empty: in
+  /// no file.
+  [[nodiscard]] std::string fileToRecord() const {
+    if (!arguments.record.empty() || arguments.noRecord || isSimulation) return arguments.record;
+    auto file = newRecording(recordingDirectory(), arguments.file);
+    if (file)
+      std::cerr << "the run is recorded in " << *file << std::endl;
+    else
+      std::cerr << "warning: the run is not recorded: " << file.error() << '\n';
+    return file.value_or("");
+  }
+
+  void addRecording(std::optional<Recorder>& recorder, const std::string& file,
+                    report::RunSubject subject, RunTime time, Observers& observers) {
+    auto format = recordingFormat(file, subject);
+    if (!format) throw Failed{fail(format.error())};
+    auto created = disk::GrowingFile::create(file);
+    if (!created && !arguments.record.empty()) throw Failed{fail(created.error())};
+    if (!created) return warnOfRecording(created.error());
     recorder.emplace(std::move(*created), time);
-    const auto add = [&recorder](std::string_view bytes, std::string_view end) {
+    const auto add = [this, &recorder](std::string_view bytes, std::string_view end) {
       warnOfRecording(recorder->add(bytes, end));
     };
-    observers.add(isMcap(arguments.record) ? report::runMcap(add, subject, startOf(time))
-                                           : report::runRecording(add, subject));
+    const auto replace = [this, &recorder](std::uint64_t at, std::string_view bytes) {
+      warnOfRecording(recorder->replace(at, bytes));
+    };
+    observers.add((*format)({add, replace}, startOfRun(time)));
   }
 
-  static bool isMcap(const std::string& path) {
-    return std::filesystem::path(path).extension() == ".mcap";
-  }
-
-  /// In nanoseconds since 1970, to match other recordings of the robot.
-  static std::uint64_t startOf(RunTime time) {
-    const auto now = std::chrono::system_clock::now().time_since_epoch();
-    return time == RunTime::Simulated
-               ? 0
-               : static_cast<std::uint64_t>(
-                     std::chrono::duration_cast<std::chrono::nanoseconds>(now).count());
-  }
-
-  static void warnOfRecording(const std::optional<std::string>& wrong) {
-    if (wrong) std::cerr << "warning: " << *wrong << "; the recording ends here\n";
+  void warnOfRecording(const std::optional<std::string>& wrong) {
+    if (!wrong) return;
+    std::cerr << "warning: " << *wrong << "; the recording ends here\n";
+    lacksRecording = !arguments.record.empty();
   }
 
   static int exitCodeOf(const runtime::RunResult& result) {
@@ -316,6 +353,8 @@ private:
   const analysis::Program& program;
   std::unique_ptr<const runtime::Executable> executable;
   bool isSimulation = false;
+  bool lacksRecording = false;             ///< the one that `--record` names is not complete
+  std::unique_ptr<groot::Monitor> monitor; ///< the last member, since it uses the others
 };
 
 int runRun(const RunArguments& arguments) {
@@ -341,7 +380,8 @@ void addRun(CLI::App& app, int& exitCode) {
        "proskill run --clock 10x --script script.json mission.proskill"},
       {{kDone, "the mission succeeded, and nothing unexpected happened"},
        {kFound, "the mission did not succeed, or something happened that the program forbids"},
-       {kFailed, "the command line, a file or the program is wrong"},
+       {kFailed, "the command line, a file or the program is wrong; or the run succeeded, but its "
+                 "`--record` is incomplete"},
        {kInconclusive, "the run ended before the mission did"}});
 }
 

@@ -2,33 +2,12 @@
 
 #include "cli/terminal/choice.h"
 #include "cli/terminal/help.h"
-
-#include <charconv>
-#include <cmath>
+#include "cli/terminal/length_of_time.h"
+#include "cli/terminal/number.h"
 
 namespace proskill::cli {
 
 namespace {
-
-/// Removes a number from the beginning of a word.
-std::optional<double> leadingNumber(std::string_view& word) {
-  double number = 0;
-  const auto read = std::from_chars(word.data(), word.data() + word.size(), number);
-  if (read.ec != std::errc() || !(number > 0 && number <= 1e9)) return std::nullopt;
-  word.remove_prefix(static_cast<std::size_t>(read.ptr - word.data()));
-  return number;
-}
-
-/// `90`, `90s`, `5m`, `2h`, `1d`
-std::optional<runtime::Nanoseconds> lengthOfTime(std::string_view word) {
-  const auto number = leadingNumber(word);
-  if (!number) return std::nullopt;
-  for (const auto& [unit, seconds] :
-       {std::pair{"", 1}, {"s", 1}, {"m", 60}, {"h", 3600}, {"d", 86400}})
-    if (word == unit && *number * seconds <= 1e9)
-      return std::llround(*number * seconds * static_cast<double>(runtime::kSecond));
-  return std::nullopt;
-}
 
 void addViewOptions(CLI::App& command, LiveViewArguments& view) {
   auto* on = command.add_flag(
@@ -50,6 +29,22 @@ void addViewOptions(CLI::App& command, LiveViewArguments& view) {
            .add_option("--port", view.port,
                        "With --view: port on the loopback interface (0, the default: any free "
                        "port)")
+           ->check(portNumber())
+           ->needs(on),
+       group::kAdvanced, "PORT");
+}
+
+void addGrootOptions(CLI::App& command, GrootArguments& groot) {
+  auto* on = command.add_flag(
+      "--groot", groot.isOn,
+      "Let Groot2 and other viewers of behavior trees watch the run, and afterwards until Ctrl-C; "
+      "composite skills are shown as trees");
+  show(on, group::kOutput);
+  show(command
+           .add_option("--groot-port", groot.port,
+                       "With --groot: port of requests on the loopback interface, the next one is "
+                       "for messages (default 1667; 0: any free ones)")
+           ->check(CLI::Range(0, UINT16_MAX - 1))
            ->needs(on),
        group::kAdvanced, "PORT");
 }
@@ -59,7 +54,7 @@ void addViewOptions(CLI::App& command, LiveViewArguments& view) {
 std::optional<double> clockFactor(const std::string& clock) {
   if (clock == "real") return 1;
   std::string_view word = clock;
-  const auto number = leadingNumber(word);
+  const auto number = takeNumber(word);
   return number && word == "x" && *number <= 1e6 ? number : std::nullopt;
 }
 
@@ -68,7 +63,7 @@ void addRunOptions(CLI::App& command, RunArguments& arguments) {
   addMainSkill(command, arguments.mainSkill);
   show(command.add_option(
            "--platform", arguments.platform,
-           "Platform that performs the actions (JSON): a program, a library, ROS 1, or a "
+           "Platform that performs the actions (JSON): a program, a library, ROS 1 or 2, or a "
            "simulation (default)"),
        group::kSubject, "FILE");
   show(command.add_option("--script", arguments.script,
@@ -85,28 +80,40 @@ void addRunOptions(CLI::App& command, RunArguments& arguments) {
                        "step (default of a simulation)")
            ->check(CLI::Validator(isClock, "")),
        group::kSubject, "real|simulated|Nx");
-  show(command.add_option("--seed", arguments.seed,
-                          "Seed of a simulation (default 0); the same seed gives the same run"),
+  show(command
+           .add_option("--rate", arguments.rate,
+                       "Take steps at ticks only: so many per second (default: at any time)")
+           ->check(integerBetween(1, 1'000'000)),
+       group::kSubject, "HZ");
+  show(command
+           .add_option("--seed", arguments.seed,
+                       "Seed of a simulation (default 0); the same seed gives the same run")
+           ->check(integerBetween(0)),
        group::kSubject, "SEED");
-  const auto setUntil = [&arguments](const std::string& word) {
-    arguments.until = lengthOfTime(word);
-    if (!arguments.until)
-      throw CLI::ValidationError("--until",
-                                 "`" + word + "` is not a time such as 90, 5m, 2h or 1d");
-  };
-  show(command.add_option_function<std::string>(
-           "--until", setUntil,
-           "End the run after this time, in seconds or with m, h, d (a simulation: 1d)"),
-       group::kLimits, "TIME");
+  addLengthOfTime(command, "--until", arguments.until,
+                  "End the run after this time, in seconds or with m, h, d (a simulation: 1d)",
+                  group::kLimits);
   addChoice<RunFormat>(command, "--format", arguments.format,
                        {{"text", RunFormat::Text}, {"json", RunFormat::Json}},
                        "How to print what happens");
-  show(command.add_option(
-           "--record", arguments.record,
-           "Record the run in this file, as a trace that `proskill view` opens; a name that "
-           "ends in .mcap: as MCAP, for other tools"),
-       group::kOutput, "FILE");
+  auto* record = command.add_option(
+      "--record", arguments.record,
+      "Record the run in this file, as a trace that `proskill view` opens; a name that ends in "
+      ".mcap: as MCAP, in .btlog: as a log of a behavior tree, for other tools. Default: nowhere "
+      "in "
+      "a simulation, otherwise a new file of the user");
+  show(record, group::kOutput, "FILE");
+  show(command.add_flag("--no-record", arguments.noRecord, "Do not record the run of a robot")
+           ->excludes(record),
+       group::kOutput);
   addViewOptions(command, arguments.view);
+  addGrootOptions(command, arguments.groot);
+  show(command.add_flag("--realtime", arguments.isRealtime,
+                        "Lock the memory and ask for SCHED_FIFO; report what is refused"),
+       group::kAdvanced);
+  show(command.add_flag("--controls", arguments.view.controls,
+                        "With --view and --realtime: pages may influence the run all the same"),
+       group::kAdvanced);
   addColour(command, arguments.colour);
 }
 

@@ -15,17 +15,27 @@ namespace proskill::cli {
 
 enum class RunFormat : std::uint8_t { Text, Json };
 
+/// `--groot` and what belongs to it.
+struct GrootArguments {
+  bool isOn = false;
+  std::uint16_t port = 1667; ///< messages are published at the next one; 0: any free one
+};
+
 struct RunArguments {
   std::string file;
   std::string mainSkill;
-  std::string platform; ///< a file; empty: simulated
-  std::string script;   ///< a file
-  std::string record;   ///< a file
-  std::string clock;    ///< `real`, `simulated`, `10x`; empty: depends on the platform
+  std::string platform;  ///< a file; empty: simulated
+  std::string script;    ///< a file
+  std::string record;    ///< a file
+  bool noRecord = false; ///< also of a robot
+  std::string clock;     ///< `real`, `simulated`, `10x`; empty: depends on the platform
   std::uint64_t seed = 0;
+  std::optional<std::int64_t> rate; ///< ticks per second; nullopt: dense time
+  bool isRealtime = false;
   std::optional<runtime::Nanoseconds> until;
   RunFormat format = RunFormat::Text;
   LiveViewArguments view;
+  GrootArguments groot;
   ColourChoice colour = ColourChoice::Auto;
 };
 

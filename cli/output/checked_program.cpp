@@ -14,9 +14,24 @@
 
 namespace proskill::cli {
 
-std::optional<analysis::Program> loadChecked(const std::string& root, ColourChoice colour) {
+namespace {
+
+/// Whether an error is that several skills could be the mission: it is at the first of them.
+bool isUndecided(const analysis::Program& program, analysis::Location error) {
+  const auto main = analysis::mainSkill(program);
+  if (main.skill || main.candidates.size() < 2) return false;
+  const auto* first = main.candidates[0];
+  return error == first->at((*first)->name.range);
+}
+
+} // namespace
+
+std::optional<analysis::Program> loadChecked(const std::string& root, ColourChoice colour,
+                                             std::string_view added) {
   if (ide::isFiacre(root)) {
-    fail("`" + root + "` is a model in Fiacre, which only `check`, `verify` and `fmt` read");
+    fail("`" + root +
+         "` is a model in Fiacre, which only `check`, `verify`, `fmt`, `emit promela` and `emit "
+         "tchecker` read");
     return std::nullopt;
   }
   const disk::DiskFileSystem disk;
@@ -25,6 +40,8 @@ std::optional<analysis::Program> loadChecked(const std::string& root, ColourChoi
     fail("cannot read `" + root + "`: " + document.error());
     return std::nullopt;
   }
+  if (!added.empty())
+    document = syntax::Document::parse(std::string(document->text()) + std::string(added));
   auto program = analysis::load(disk, root, std::move(*document));
   auto diagnostics = analysis::check(program);
   std::erase_if(diagnostics,
@@ -42,6 +59,8 @@ int failGeneration(const analysis::Program& program, const codegen::GenerationEr
   const auto path = program.files[error.location.file].path.generic_string();
   std::cerr << syntax::printable(path) << ':' << at.line << ':' << at.column
             << ": error: " << syntax::printable(error.message) << '\n';
+  if (isUndecided(program, error.location))
+    std::cerr << "  = help: choose one with `--main SKILL`\n";
   return kFailed;
 }
 

@@ -15,11 +15,14 @@ namespace proskill::cli {
 
 namespace {
 
-/// Prints one line with counts, in the form of sift, and the time.
+/// Prints one line with counts, in the form of sift, and the time; then what ranks have sent.
 void printCounts(const verify::Exploration& counted) {
   fmt::print("{} classe(s), {} marking(s), {} domain(s), {} transition(s)\n{:.3f}s\n",
              counted.classes, counted.markings, counted.domains, counted.transitions,
              counted.seconds);
+  if (counted.ranks > 0)
+    fmt::print("{} rank(s), {} message(s), {} byte(s) sent\n", counted.ranks, counted.messages,
+               counted.sentBytes);
 }
 
 int failIncomplete(const verify::Exploration& counted) {

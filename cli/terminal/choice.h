@@ -1,10 +1,10 @@
 #pragma once
 
 #include "cli/terminal/help.h"
+#include "cli/terminal/usage.h"
 
 #include <CLI/CLI.hpp>
 
-#include <charconv>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,14 +13,21 @@ namespace proskill::cli {
 
 template <class Value> using Choices = std::vector<std::pair<std::string, Value>>;
 
-template <class Value> std::string words(const Choices<Value>& choices, std::string_view between) {
-  std::string text;
-  for (const auto& [word, value] : choices)
-    text += (text.empty() ? "" : std::string(between)) + word;
-  return text;
+template <class Value> std::vector<std::string> wordsOf(const Choices<Value>& choices) {
+  std::vector<std::string> words;
+  for (const auto& [word, value] : choices) words.push_back(word);
+  return words;
 }
 
-/// An option with a fixed set of words, each for a value. Its help lists them.
+/// ` (default WORD)`, or nothing if no word has the value.
+template <class Value> std::string defaultOf(const Value& chosen, const Choices<Value>& choices) {
+  for (const auto& [word, value] : choices)
+    if (value == chosen) return " (default " + word + ")";
+  return "";
+}
+
+/// An option with a fixed set of words, each for a value. Its help lists them, and says which word
+/// the given value has. An argument has no default.
 template <class Value>
 CLI::Option* addChoice(CLI::App& command, const std::string& name, Value& chosen,
                        const Choices<Value>& choices, const std::string& help,
@@ -28,25 +35,11 @@ CLI::Option* addChoice(CLI::App& command, const std::string& name, Value& chosen
   auto choose = [&chosen, choices, name](const std::string& word) {
     for (const auto& [known, value] : choices)
       if (known == word) return static_cast<void>(chosen = value);
-    throw CLI::ValidationError(name, "`" + word + "` is not one of " + words(choices, ", "));
+    throw CLI::ValidationError(name, notOneOf(word, wordsOf(choices)));
   };
-  auto* option = command.add_option_function<std::string>(name, choose, help);
-  return show(option, inGroup, words(choices, "|"));
-}
-
-/// A positive, finite length of time in seconds; rejects `nan` and `1e999`.
-inline CLI::Validator positiveSeconds() {
-  constexpr double kLongest = 1e9; // thirty years
-  return {[](std::string& word) {
-            double seconds = 0;
-            const char* end = word.data() + word.size();
-            const auto read = std::from_chars(word.data(), end, seconds);
-            const bool whole = read.ec == std::errc() && read.ptr == end;
-            return whole && seconds > 0 && seconds <= kLongest
-                       ? std::string()
-                       : "`" + word + "` is not a number of seconds between 0 and 1e9";
-          },
-          ""};
+  const auto known = name.starts_with('-') ? defaultOf(chosen, choices) : std::string();
+  auto* option = command.add_option_function<std::string>(name, choose, help + known);
+  return show(option, inGroup, CLI::detail::join(wordsOf(choices), "|"));
 }
 
 } // namespace proskill::cli

@@ -73,7 +73,11 @@ void printData(const CLI::App& app) {
   for (const auto* command :
        app.get_subcommands([](const CLI::App* it) { return !it->get_group().empty(); }))
     commands.push_back(commandJson(*command));
-  std::cout << OrderedJson{{"version", PROSKILL_VERSION}, {"commands", commands}}.dump(1) << '\n';
+  std::cout << OrderedJson{{"version", PROSKILL_VERSION},
+                           {"commands", commands},
+                           {"below", app.get_footer()}}
+                   .dump(1)
+            << '\n';
 }
 
 } // namespace
@@ -98,7 +102,7 @@ void showBelow(CLI::App& command, const std::vector<std::string>& examples,
     text += "  " + std::to_string(code) +
             std::string(kIndent - 2 - std::to_string(code).size(), ' ') +
             wrapped(meaning, kIndent) + "\n";
-  text += "  70 a bug in proskill; 71 out of memory";
+  text += "  70 a bug in proskill\n  71 out of memory";
   command.footer(text);
 }
 

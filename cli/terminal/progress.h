@@ -17,13 +17,15 @@ public:
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   /// Empty if there is no terminal.
-  [[nodiscard]] std::function<void(const verify::Progress&)> callback();
+  /// \param more adds to the end of each line; may be empty
+  [[nodiscard]] std::function<void(const verify::Progress&)>
+  callback(std::function<std::string()> more = {});
 
   /// Replaces the current line; does nothing without a terminal.
   void say(const std::string& line);
 
 private:
-  void show(const verify::Progress& progress);
+  void show(const verify::Progress& progress, const std::string& more);
 
   bool terminal = false;
   bool shown = false;

@@ -38,6 +38,10 @@ public:
   const std::string& own(std::string_view thread, std::string_view skill, std::string_view field) {
     return global.of("own", {thread, skill, field});
   }
+  /// The variable for an input, given with its `$`: `visit_place`.
+  const std::string& input(std::string_view skill, std::string_view input) {
+    return global.of("input", {skill, input.substr(1)});
+  }
   /// A constructor of `skill_result`: `takeoff_success_at_altitude`.
   const std::string& result(std::string_view skill, std::string_view status, std::string_view tag) {
     return global.of("result", {skill, status, tag});

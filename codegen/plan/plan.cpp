@@ -17,7 +17,7 @@ GenerationError ambiguous(const std::vector<const SkillDefinition*>& candidates)
   std::string names;
   for (const auto* candidate : candidates)
     names += (names.empty() ? "" : ", ") + syntax::backquoted(candidate->name());
-  return {"several skills could be the mission: " + names + "; say which one is",
+  return {"several skills could be the mission: " + names,
           candidates[0]->at((*candidates[0])->name.range)};
 }
 
@@ -80,6 +80,7 @@ public:
     noteStops();
     noteHoldOuts();
     noteResults();
+    noteInputs();
     plan.ownOutcomes = OwnOutcomes(plan);
     return std::move(plan);
   }
@@ -201,6 +202,44 @@ private:
       if (expr.kind != syntax::ExprKind::Access || expr.member.text != "res") return;
       if (auto* skill = find(expr.name.text)) skill->resultIsRead = true;
     });
+  }
+
+  /// Notes the inputs that matter. Repeated until nothing changes, since skills pass them on.
+  void noteInputs() {
+    for (auto& skill : plan.skills)
+      forEachExpression(skill.skill(), [&](const syntax::Expr& expr) { noteInput(skill, expr); });
+    bool changed = true;
+    while (changed) {
+      changed = false;
+      for (auto& skill : plan.skills)
+        if (skill.body) changed |= notePassedInputs(skill);
+    }
+  }
+
+  bool notePassedInputs(SkillPlan& skill) {
+    bool changed = false;
+    forEachStep(*skill.body, [&](const BodyAutomaton&, const syntax::Statement& statement) {
+      if (statement.kind != StatementKind::Call) return;
+      const auto& callee = *find(statement.head.text);
+      for (const auto& argument : statement.arguments)
+        if (std::ranges::any_of(callee.inputs, [&](const syntax::Input* input) {
+              return input->name.text.substr(1) == argument.name.text;
+            }))
+          changed |= noteInput(skill, argument.value);
+    });
+    return changed;
+  }
+
+  /// \return whether the expression is an input that was not noted
+  static bool noteInput(SkillPlan& skill, const syntax::Expr& expr) {
+    if (expr.kind != syntax::ExprKind::Parameter) return false;
+    const auto& all = skill.skill().inputs;
+    const auto input = std::ranges::find_if(
+        all, [&](const syntax::Input& each) { return each.name.text == expr.name.text; });
+    if (input == all.end()) return false;
+    if (std::ranges::find(skill.inputs, &*input) != skill.inputs.end()) return false;
+    skill.inputs.push_back(&*input);
+    return true;
   }
 
   const Program& program;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <set>
 #include <string_view>
+#include <vector>
 
 namespace proskill::codegen {
 
@@ -23,6 +24,8 @@ struct SkillPlan {
   bool callerMayStop = false;         ///< its caller may set its `stop`, also before it runs
   bool branchEnds = false;   ///< one of its branches contains `(success …)` or `(failure …)`
   bool resultIsRead = false; ///< some condition reads `.res`
+  /// Those that conditions or effects read, its own or those of skills to which it passes them.
+  std::vector<const syntax::Input*> inputs;
   bool isMeasured = false;   ///< the executor checks its time interval
   bool callsHoldOut = false; ///< an early end may have to wait for its calls
 

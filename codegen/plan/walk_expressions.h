@@ -44,7 +44,10 @@ template <class Visit> void forEachExpression(const syntax::Skill& skill, Visit&
 
 /// Calls `visit` for every condition and value of a program, and for each of their parts.
 template <class Visit> void forEachExpression(const analysis::Program& program, Visit&& visit) {
-  for (const auto& event : program.events.all) forEachExpression(event->effects, visit);
+  for (const auto& event : program.events.all) {
+    if (event->guard) forEachPart(*event->guard, visit);
+    forEachExpression(event->effects, visit);
+  }
   for (const auto& skill : program.skills.all) forEachExpression(skill.node(), visit);
   for (const auto& environment : program.environments.all)
     forEachExpression(environment->body, visit);

@@ -24,12 +24,12 @@ public:
     else if (context.isExecuted())
       ExecutedAction(context, skill, frame).addTo(process);
     else
-      addOffline(process);
+      addVerified(process);
     return process;
   }
 
 private:
-  void addOffline(fiacre::Process& process) {
+  void addVerified(fiacre::Process& process) {
     const std::string run = context.isExpanded() ? "action" : "run";
     frame.addStart(process, run);
     auto body = context.isExpanded()

@@ -2,6 +2,7 @@
 
 #include "codegen/term/conditions.h"
 #include "codegen/term/grounds.h"
+#include "codegen/term/inputs.h"
 
 #include <fmt/format.h>
 
@@ -43,6 +44,7 @@ Statement BodyProcess::callNow(const BodyState& state, const std::string& sync) 
   const auto callee = statement.head.text;
   const auto words = fmt::format("calls `{}`", callee);
   std::vector<Statement> all{at(origin(statement.range, words), calls.take(callee)),
+                             setInputs(context, *context.plan.find(callee), statement),
                              keepOutcome(callee)};
   if (context.isPerformed())
     all.push_back(saying("synthesized action arg index",
@@ -109,7 +111,7 @@ Statement BodyProcess::goOnAfter(const BodyState& state, const SkillPlan& callee
   const auto isDone = calls.isDone(callee.name());
   const auto returns = origin(range, fmt::format("continues after `{}`", callee.name()));
   auto goOn = at(causedBy(context, returns, isDone), to(target));
-  if (isTrue(precondition(context, callee.skill()))) return goOn;
+  if (isTrue(precondition(context, callee))) return goOn;
   const auto words = origin(range, fmt::format("notices that `{}` was refused", callee.name()));
   causedBy(context, words, isDone);
   auto refused =

@@ -1,5 +1,6 @@
 #include "codegen/process/body_process.h"
 
+#include "codegen/message/message.h"
 #include "codegen/term/conditions.h"
 #include "codegen/term/effects.h"
 #include "codegen/term/grounds.h"
@@ -150,7 +151,10 @@ Statement BodyProcess::step(const BodyState& state) {
   }
   case StatementKind::Printf: {
     const auto format = "\"" + std::string(statement.format.text) + "\"";
-    return sequence({atOnce(), saying("prints " + format, goOn("prints " + format))});
+    const auto words = "prints " + format;
+    if (context.isExecuted())
+      context.messages.emplace(origin(statement.range, words), messageOf(context, statement));
+    return sequence({atOnce(), saying(words, goOn(words))});
   }
   case StatementKind::Success:
   case StatementKind::Failure: return sequence({atOnce(), conclude(statement)});

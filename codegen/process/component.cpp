@@ -8,6 +8,7 @@
 #include "codegen/process/invariants.h"
 #include "codegen/process/runtime_action.h"
 #include "codegen/process/state_variables.h"
+#include "codegen/term/inputs.h"
 #include "codegen/term/skill_types.h"
 #include "syntax/text/quote.h"
 #include "syntax/text/utf8.h"
@@ -70,6 +71,7 @@ private:
       if (!hasEnvironmentProcess() || comesByItself(context, event.node())) wait(others.back());
     }
     for (const auto& skill : context.plan.skills) {
+      const WrittenIn scope(context, skill);
       if (!skill.body)
         others.push_back(basicSkill(context, skill));
       else
@@ -160,6 +162,7 @@ private:
         all.push_back({context.names.outcome(skill.name()), namedType("skill_result"),
                        name("no_result"), "how a branch has ended the skill"});
     addOwnOutcomes(all);
+    std::ranges::move(inputVariables(context), std::back_inserter(all));
     return all;
   }
 
@@ -267,7 +270,7 @@ Places placesOf(const Program& program) {
   return places;
 }
 
-std::map<std::string, std::string> obligedProcesses(Context& context) {
+std::map<std::string, Obliged> obligedProcesses(Context& context) {
   const auto isOpen = [](const std::optional<syntax::Interval>& interval) {
     return !interval || !interval->upper;
   };
@@ -275,18 +278,19 @@ std::map<std::string, std::string> obligedProcesses(Context& context) {
     return state.statement && syntax::hasDuration(*state.statement) &&
            !state.statement->duration.upper;
   };
-  std::map<std::string, std::string> all;
+  std::map<std::string, Obliged> all;
   for (const auto& skill : context.plan.skills) {
     if (!skill.body) {
       if (isOpen(skill.skill().timeInterval))
         all.emplace(context.names.process({"skill", skill.name()}),
-                    syntax::backquoted(skill.name()));
+                    Obliged{std::string(skill.name()), syntax::backquoted(skill.name())});
       continue;
     }
     forEachThread(*skill.body, [&](const BodyAutomaton& thread) {
       if (std::ranges::any_of(thread.states, waitsOpenly))
-        all.emplace(processOf(context, skill, thread),
-                    "a wait of " + syntax::backquoted(skill.name()));
+        all.emplace(
+            processOf(context, skill, thread),
+            Obliged{std::string(skill.name()), "a wait of " + syntax::backquoted(skill.name())});
     });
   }
   return all;

@@ -14,6 +14,6 @@ using Places = std::map<std::string, std::uint32_t, std::less<>>;
 [[nodiscard]] Places placesOf(const fiacre::Program& program);
 
 /// The content of Model::obliged.
-[[nodiscard]] std::map<std::string, std::string> obligedProcesses(Context& context);
+[[nodiscard]] std::map<std::string, Obliged> obligedProcesses(Context& context);
 
 } // namespace proskill::codegen

@@ -43,9 +43,9 @@ protected:
         skill(skill) {}
 
   /// Stops the running callees, and goes to the state that waits for their ends.
-  Statement strike(Statement trigger, const std::vector<std::string_view>& running,
-                   Statement reason) {
-    isStruck = true;
+  Statement stopCallees(Statement trigger, const std::vector<std::string_view>& running,
+                        Statement reason) {
+    hasStopping = true;
     std::vector<Statement> all{std::move(trigger)};
     for (const auto callee : running) all.push_back(calls.stop(callee));
     if (body.path.empty() && skill.mayLinger() && someHoldsOut(running))
@@ -56,7 +56,7 @@ protected:
   }
 
   void addStopping(fiacre::Process& process, Statement end) {
-    if (!isStruck) return;
+    if (!hasStopping) return;
     std::vector<Expr> gone;
     std::vector<Statement> all{atOnce()};
     std::vector<Statement> releases;
@@ -94,7 +94,7 @@ private:
         running, [&](std::string_view each) { return context.plan.holdOuts.contains(each); });
   }
 
-  bool isStruck = false;
+  bool hasStopping = false;
 };
 
 class MainBody : public StoppableBody {
@@ -160,18 +160,18 @@ private:
     if (node.interrupt) {
       const auto words = frame.origin(interruption.range, outsideInterruptionOf(skill).description);
       auto port = at(words, synchronise(context.names.interruptPort(skill.name())));
-      all.push_back(strike(std::move(port), running, note(resultOf(interruption))));
+      all.push_back(stopCallees(std::move(port), running, note(resultOf(interruption))));
     }
     if (skill.obeysStops())
-      all.push_back(
-          strike(seen(frame.stop(), told(frame.stop(), interruption.range, "is asked to stop")),
-                 running, note(resultOf(interruption))));
+      all.push_back(stopCallees(
+          seen(frame.stop(), told(frame.stop(), interruption.range, "is asked to stop")), running,
+          note(resultOf(interruption))));
     for (auto& failure : failedGuards(running)) all.push_back(std::move(failure));
     if (joining && skill.branchEnds) {
       const auto outcome = name(context.names.outcome(skill.name()));
       const auto ended = negation(mayGoOn());
-      all.push_back(strike(seen(ended, told(ended, node.name.range, "is ended by a branch")),
-                           running, note(outcome)));
+      all.push_back(stopCallees(seen(ended, told(ended, node.name.range, "is ended by a branch")),
+                                running, note(outcome)));
     }
     return all;
   }
@@ -183,7 +183,8 @@ private:
     for (const auto& invariant : skill.skill().invariants) {
       const auto ending = failureOf(invariant);
       const auto words = frame.failsAt(frame.origin(ending.range, ending.description), invariant);
-      all.push_back(strike(seen(frame.fails(invariant), words), running, note(resultOf(ending))));
+      all.push_back(
+          stopCallees(seen(frame.fails(invariant), words), running, note(resultOf(ending))));
     }
     return all;
   }
@@ -289,7 +290,7 @@ private:
     if (!skill.mayStrike(body)) return {};
     const auto stop = context.cellField(body.name, "stop");
     auto asked = at(causedBy(context, origin(range(), "is asked to stop"), stop), on(stop));
-    return {strike(sequence({atOnce(), std::move(asked)}), running, sequence({}))};
+    return {stopCallees(sequence({atOnce(), std::move(asked)}), running, sequence({}))};
   }
 
   std::vector<Statement> abortStatementsWhereHeld() override { return abortStatements({}, false); }

@@ -8,8 +8,8 @@ namespace proskill::codegen {
 /// and its watchdog if it has a time interval.
 [[nodiscard]] std::vector<fiacre::Process> compositeSkill(Context& context, const SkillPlan& skill);
 
-/// The process that detects that a composite skill takes too little or too much time. Offline it is
-/// exact at the bounds, at runtime within a tick. \pre the skill has a time interval
+/// The process that detects that a composite skill takes too little or too much time. In models to
+/// verify it is exact at the bounds, at runtime within a tick. \pre the skill has a time interval
 [[nodiscard]] fiacre::Process watchdog(Context& context, const SkillPlan& skill);
 
 } // namespace proskill::codegen

@@ -1,7 +1,10 @@
 #include "codegen/process/environment.h"
 
 #include "codegen/process/body_process.h"
+#include "codegen/term/conditions.h"
 #include "codegen/term/effects.h"
+#include "codegen/term/grounds.h"
+#include "codegen/term/inputs.h"
 
 #include <fmt/format.h>
 
@@ -102,8 +105,12 @@ public:
 private:
   Statement occurs() {
     const auto words = context.origins.of(actor, event->name.range, "occurs");
-    return sequence({at(words, synchronise(context.names.event(event.name()))),
-                     effects(context, actor, event->effects)});
+    auto step = at(words, synchronise(context.names.event(event.name())));
+    auto set = effects(context, actor, event->effects);
+    if (!event->guard) return sequence({std::move(step), std::move(set)});
+    auto guard = condition(context, *event->guard);
+    decidedBy(context, words, guard, true);
+    return sequence({on(std::move(guard)), std::move(step), std::move(set)});
   }
 
   /// Puts the time limit on a path of its own, since the rest may contain tests.
@@ -199,7 +206,8 @@ fiacre::Process generalCaller(Context& context) {
     const auto words = context.origins.of({actor.name, skill.file()}, skill.skill().name.range,
                                           fmt::format("calls `{}`", skill.name()));
     choices.push_back(
-        sequence({on(calls.isFree(skill.name())), wait({}), at(words, calls.take(skill.name()))}));
+        sequence({on(calls.isFree(skill.name())), wait({}), at(words, calls.take(skill.name())),
+                  chooseInputs(context, skill)}));
   }
   addState(process, "start_", process.origin, sequence({select(std::move(choices)), to("start_")}));
   return process;

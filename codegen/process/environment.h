@@ -21,7 +21,7 @@ namespace proskill::codegen {
 
 /// The process that takes these ports: the program's environment, or one that takes any port at any
 /// time.
-/// \pre offline
+/// \pre the model is to be verified
 [[nodiscard]] fiacre::Process environmentProcess(Context& context);
 
 /// For a library without a mission: a process that calls any free basic skill at any time.

@@ -83,7 +83,7 @@ void tellExecutor(Context& context, Model& model) {
   for (const auto& skill : context.plan.skills) {
     if (skill.skill().interrupt)
       model.signals.push_back(
-          {std::string(skill.name()), true, context.names.interruptPort(skill.name()), {}});
+          {std::string(skill.name()), true, context.names.interruptPort(skill.name())});
     const auto& interval = skill.skill().timeInterval;
     if (!skill.body || !interval) continue;
     model.measured.push_back(
@@ -95,6 +95,7 @@ void tellExecutor(Context& context, Model& model) {
     auto& signal = model.signals.emplace_back();
     signal.name = event.name();
     signal.port = context.names.event(event.name());
+    signal.guarded = event->guard.has_value();
     if (!event->every) continue;
     signal.every = context.times.interval(*event->every);
     signal.everyOrigin =
@@ -113,6 +114,7 @@ void tellExecutor(Context& context, Model& model) {
     model.drawnProcesses.emplace_back("most_general_caller");
   model.performed = std::move(context.performed);
   model.alarms = std::move(context.alarms);
+  model.messages = std::move(context.messages);
 }
 
 } // namespace proskill::codegen

@@ -2,6 +2,7 @@
 
 #include "codegen/plan/mentions.h"
 #include "codegen/term/conditions.h"
+#include "codegen/term/inputs.h"
 
 namespace proskill::codegen {
 namespace {
@@ -9,6 +10,7 @@ namespace {
 /// Whether the skill is running and one of its guards is false. A skill that has noticed, and waits
 /// for callees that must not be stopped, no longer holds up others.
 fiacre::Expr failsIn(Context& context, const SkillPlan& skill) {
+  const WrittenIn scope(context, skill);
   std::vector<fiacre::Expr> broken;
   for (const auto& invariant : skill.skill().invariants)
     broken.push_back(negation(condition(context, invariant.guard)));
@@ -32,6 +34,8 @@ std::optional<fiacre::Function> invariantActive(Context& context) {
   for (const auto& variable : context.program.stateVariables.all)
     if (const auto& name = context.names.variable(variable.name()); mentions(any, name))
       function.parameters.push_back({name, namedType(context.names.type(variable.name())), false});
+  for (const auto& input : inputVariables(context))
+    if (mentions(any, input.name)) function.parameters.push_back({input.name, input.type, false});
   function.result = boolType();
   function.body.kind = fiacre::StatementKind::Return;
   function.body.values.push_back(std::move(any));

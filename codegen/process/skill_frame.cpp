@@ -45,7 +45,7 @@ void SkillFrame::addStart(fiacre::Process& process, std::string_view first) {
   const auto called = origin(skill.skill().name.range, "is called");
   addState(process, "start_", place(),
            sequence({atOnce(), at(called, on(isCalled())), to("check_precondition")}));
-  if (!skill.skill().armed && !isTrue(precondition(context, skill.skill())))
+  if (!skill.skill().armed && !isTrue(precondition(context, skill)))
     noteEndState("precondition_unsatisfied", {});
   if (skill.mayBeStopped() || skill.skill().interrupt) noteEndState("interrupted", {});
   auto begin = sequence(
@@ -64,11 +64,29 @@ Expr SkillFrame::isCalled() {
 Expr SkillFrame::isReady() {
   std::vector<Expr> all{negation(someInvariantFails(context))};
   if (skill.isWatchedAgain()) all.push_back(negation(cell("watched")));
-  for (const auto& resource : skill.skill().resources) {
-    const auto& used = context.names.used(resource.text);
-    all.push_back(binary(Op::Less, name(used), number(context.capacity(resource.text))));
-  }
+  for (const auto& resource : skill.skill().resources) all.push_back(isFree(resource.text));
   return conjunction(std::move(all));
+}
+
+Expr SkillFrame::isFree(std::string_view resource) const {
+  return binary(Op::Less, name(context.names.used(resource)), number(context.capacity(resource)));
+}
+
+/// Notes at the start what a called skill may wait for, and who may have it.
+OriginId SkillFrame::waitsOf(OriginId begins) {
+  for (const auto& resource : skill.skill().resources) {
+    waitsFor(context, begins, isFree(resource.text),
+             "the resource `" + std::string(resource.text) + "`", resource.text);
+    for (const auto& other : context.plan.skills)
+      if (std::ranges::find(other.skill().resources, resource.text, &syntax::Name::text) !=
+          other.skill().resources.end())
+        heldBy(context, begins, context.cellField(other.name(), "inv_active"), other.name(),
+               resource.text);
+  }
+  if (!skill.skill().armed) return begins;
+  for (const auto& each : skill.skill().preconditions)
+    waitsFor(context, begins, condition(context, each.condition), quote(each.condition.range));
+  return begins;
 }
 
 /// An interrupt from outside also ends a call that has not started.
@@ -83,7 +101,7 @@ Statement SkillFrame::orInterrupted(Statement entry, std::string_view stopped) {
 /// The transition from the call to the run, or back.
 Statement SkillFrame::entry(std::string_view satisfied, std::string_view refused,
                             std::string_view stopped) {
-  auto holds = precondition(context, skill.skill());
+  auto holds = precondition(context, skill);
   auto begin = skill.skill().armed
                    ? sequence({on(conjunction({isReady(), std::move(holds)})), start(satisfied)})
                    : sequence({on(isReady()),
@@ -94,8 +112,8 @@ Statement SkillFrame::entry(std::string_view satisfied, std::string_view refused
 
 Statement SkillFrame::start(std::string_view next) {
   const auto& node = skill.skill();
-  std::vector<Statement> all{at(causedBy(context, origin(node.name.range, "starts"), isCalled()),
-                                tag(context.names.tag({skill.name(), "run"}))),
+  const auto begins = causedBy(context, origin(node.name.range, "starts"), isCalled());
+  std::vector<Statement> all{at(waitsOf(begins), tag(context.names.tag({skill.name(), "run"}))),
                              changeResources(Op::Add), effects(context, actor, node.start),
                              assign(cell("inv_active"), boolean(true))};
   if (skill.isWatchedAgain()) all.push_back(assign(cell("watched"), boolean(true)));
@@ -116,7 +134,7 @@ Statement SkillFrame::refuse(std::string_view next) {
 
 /// Marks the refusal of a skill that nobody calls, such as the mission: no caller would notice it.
 Statement SkillFrame::refusal() {
-  if (!skill.root || isTrue(precondition(context, skill.skill()))) return sequence({});
+  if (!skill.root || isTrue(precondition(context, skill))) return sequence({});
   auto refused = tag(context.names.tag({skill.name(), "refused"}));
   if (skill.runsOnce()) return refused;
   return ifThen(equal(cell("caller"), name("root")), std::move(refused));

@@ -67,6 +67,8 @@ private:
   [[nodiscard]] fiacre::Statement orInterrupted(fiacre::Statement entry, std::string_view stopped);
   [[nodiscard]] fiacre::Expr isCalled();
   [[nodiscard]] fiacre::Expr isReady();
+  [[nodiscard]] fiacre::Expr isFree(std::string_view resource) const;
+  [[nodiscard]] OriginId waitsOf(OriginId begins);
   [[nodiscard]] OriginId groundsOf(const Ending& ending);
   [[nodiscard]] std::string quote(syntax::Range range) const;
   [[nodiscard]] fiacre::Statement happens(const Ending& ending);

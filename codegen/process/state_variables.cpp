@@ -210,6 +210,8 @@ void holdBack(Context& context, fiacre::Process& process) {
   addState(process, "before_", process.origin,
            sequence({synchronise(beginPort(context)), to(first)}));
   std::ranges::rotate(process.states, process.states.end() - 1);
+  // some compilers take the state of the first `from` as the initial one
+  std::ranges::rotate(process.transitions, process.transitions.end() - 1);
 }
 
 } // namespace proskill::codegen

@@ -103,7 +103,7 @@ private:
     addState(process, "on_time", place(), select(std::move(all)));
   }
 
-  /// In the offline model an error state is final, except that the skill may start again.
+  /// In a model to verify, an error state is final, except that the skill may start again.
   void addError(std::string_view state, bool hasEnded) {
     const std::string comment = hasEnded ? "WARNING: undershoot" : "WARNING: overshoot";
     if (context.isRuntime()) {

@@ -1,10 +1,13 @@
 #include "codegen/property/checks.h"
 
+#include "codegen/plan/flow.h"
 #include "codegen/process/body_process.h"
+#include "codegen/property/outside_help.h"
 #include "codegen/property/properties.h"
 #include "codegen/property/statement_names.h"
 #include "codegen/term/conditions.h"
 #include "syntax/text/quote.h"
+#include "syntax/tree/statements.h"
 
 #include <fmt/format.h>
 
@@ -32,6 +35,10 @@ public:
     for (const auto& variable : context.program.stateVariables.all) addStateVariable(variable);
     for (const auto& skill : context.plan.skills) addSkill(skill);
     addProgram();
+    addProperties();
+  }
+
+  void addProperties() {
     for (const auto& property : context.program.properties.all) addProperty(property);
   }
 
@@ -73,7 +80,7 @@ private:
   /// The declared outcomes, and success without a tag if the end of the body is reachable.
   static std::vector<Ending> endings(const SkillPlan& skill) {
     auto all = outcomesOf(skill);
-    if (skill.body && !skill.body->states.back().statement) all.push_back(successOf(skill, {}));
+    if (skill.body && mayReachEnd(*skill.body)) all.push_back(successOf(skill, {}));
     return all;
   }
 
@@ -125,6 +132,8 @@ private:
   void addStatements(const SkillPlan& skill, const BodyAutomaton& thread,
                      const StatementNames& names) {
     const auto process = processOf(context, skill, thread);
+    const auto reached = statesOnPaths(thread);
+    const auto pointless = refusedArms(thread);
     for (const auto& state : thread.states) {
       if (!state.statement) continue;
       place = context.origins.of(actorOf(skill, thread), state.statement->range);
@@ -133,9 +142,29 @@ private:
           syntax::backquoted(context.origins.excerpt(skill.file(), state.source().range));
       if (state.statement->kind == syntax::StatementKind::Call)
         addCall(thread, state, statement, text);
+      if (pointless.contains(&state.source()) || isSkippedTest(state, reached)) continue;
       question("reachable", statement, text + " can be reached", Expectation::Reachable,
                Weight::Warning, absent(observer.state(process, state.name)));
     }
+  }
+
+  /// The statements in arms for a refusal. `check` demands these arms, and `never_refused` asks
+  /// whether they are taken.
+  static std::set<const syntax::Statement*> refusedArms(const BodyAutomaton& thread) {
+    std::set<const syntax::Statement*> all;
+    for (const auto& state : thread.states) {
+      if (!state.cases) continue;
+      for (const auto& arm : state.cases->arms)
+        if (arm.pattern.status.text == "refused")
+          syntax::forEachStatement(arm.body, [&](const auto& each) { all.insert(&each); });
+    }
+    return all;
+  }
+
+  /// A `do` has its state at its test. If each round leaves the loop before, nobody has to change
+  /// anything.
+  static bool isSkippedTest(const BodyState& state, const std::set<std::string_view>& reached) {
+    return state.statement->kind == syntax::StatementKind::DoUntil && !reached.contains(state.name);
   }
 
   /// Asks whether a call is ever refused or finds its skill busy, if that may be so.
@@ -158,6 +187,11 @@ private:
     deadlock.kind = PatternKind::DeadlockFree;
     holds("no_deadlock", "", "the program never stops before its mission has ended", Weight::Error,
           std::move(deadlock));
+    if (const auto help = alwaysPossible(context); !help.empty())
+      model.checks.back().note =
+          fmt::format("since {}; whether the mission can always end is the question "
+                      "`(always_reachable (ended {}))`",
+                      help, context.plan.mission->name());
   }
 
   void addProgram() {
@@ -181,9 +215,23 @@ private:
       check.operands.push_back(context.origins.excerpt(property.file, operand.range));
     check.good = asksToReach ? Expectation::Reachable : Expectation::Holds;
     auto pattern = patternOf(context, observer, property.node());
-    check.fair =
-        property->fair.value_or(context.options.fairRuns) && fiacre::isAboutEndlessRuns(pattern);
+    const bool isEndless = fiacre::isAboutEndlessRuns(pattern);
+    check.fair = isEndless && property->fair.value_or(context.options.fairRuns);
+    check.rests = isEndless && !check.fair;
+    if (check.fair) check.exempt = exemptIn(property.node());
+    check.isExecuted = !observer.takeMissing();
     put(std::move(check), std::move(pattern));
+  }
+
+  /// What may last for ever in the runs of a property.
+  std::set<std::string> exemptIn(const syntax::Property& property) {
+    std::set<std::string> exempt;
+    if (property.fairSkills.empty()) return exempt;
+    for (const auto& [process, of] : model.obliged)
+      if (std::ranges::find(property.fairSkills, of.skill, &syntax::Name::text) ==
+          property.fairSkills.end())
+        exempt.insert(process);
+    return exempt;
   }
 
   // --- Questions
@@ -249,6 +297,18 @@ private:
 
 } // namespace
 
-void addChecks(Context& context, Model& model) { Checks(context, model).add(); }
+void addChecks(Context& context, Model& model) {
+  Checks(context, model).add();
+  for (const auto& skill : context.plan.skills) {
+    model.running.emplace_back(skill.name(), context.cellField(skill.name(), "inv_active"));
+    model.threads.emplace_back(skill.name());
+    if (!skill.body) continue;
+    forEachThread(*skill.body, [&](const BodyAutomaton& thread) {
+      if (!thread.path.empty()) model.threads.push_back(actorOf(skill, thread).name);
+    });
+  }
+}
+
+void addProperties(Context& context, Model& model) { Checks(context, model).addProperties(); }
 
 } // namespace proskill::codegen

@@ -115,7 +115,10 @@ Observable Observer::condition(const syntax::Expr& expr) {
   case ExprKind::Globally:
   case ExprKind::Finally:
   case ExprKind::Next:
-  case ExprKind::Until: break;
+  case ExprKind::Until:
+  case ExprKind::WeakUntil:
+  case ExprKind::Release:
+  case ExprKind::StrongRelease: break;
   }
   assert(false && "not a condition of a property");
   return value(boolean(false));
@@ -172,7 +175,7 @@ Observable Observer::ended(const syntax::Expr& expr) const {
 }
 
 /// Control is before or in the statement after the label.
-Observable Observer::atLabel(std::string_view label) const {
+Observable Observer::atLabel(std::string_view label) {
   std::vector<Observable> found;
   for (const auto& skill : context.plan.skills) {
     if (!skill.body) continue;
@@ -187,9 +190,13 @@ Observable Observer::atLabel(std::string_view label) const {
 }
 
 void Observer::addStatesAt(std::vector<Observable>& found, const BodyAutomaton& thread,
-                           std::string_view process, std::string_view label) const {
+                           std::string_view process, std::string_view label) {
   const auto entry = thread.labels.find(label);
   if (entry == thread.labels.end()) return;
+  if (!places.contains(process)) { // the environment, if it is not executed
+    isMissing = true;
+    return;
+  }
   const auto at = std::ranges::find(thread.states, entry->second, &BodyState::name);
   if (at == thread.states.end()) return; // the end is unreachable
   for (const auto& name : statesOf(context, *at)) found.push_back(state(process, name));

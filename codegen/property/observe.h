@@ -3,6 +3,7 @@
 #include "codegen/process/component.h"
 
 #include <set>
+#include <utility>
 
 namespace proskill::codegen {
 
@@ -19,6 +20,8 @@ public:
   [[nodiscard]] static fiacre::Observable value(fiacre::Expr condition);
   /// A condition of a property, including atoms.
   [[nodiscard]] fiacre::Observable condition(const syntax::Expr& expr);
+  /// Whether a condition since the last call is about a body that the model does not contain.
+  [[nodiscard]] bool takeMissing() { return std::exchange(isMissing, false); }
   [[nodiscard]] bool hasTag(const std::string& tag) const { return tags.contains(tag); }
 
 private:
@@ -28,12 +31,13 @@ private:
   [[nodiscard]] fiacre::Observable running(std::string_view skill) const;
   [[nodiscard]] fiacre::Observable called(std::string_view skill) const;
   [[nodiscard]] fiacre::Observable ended(const syntax::Expr& expr) const;
-  [[nodiscard]] fiacre::Observable atLabel(std::string_view label) const;
+  [[nodiscard]] fiacre::Observable atLabel(std::string_view label);
   void addStatesAt(std::vector<fiacre::Observable>& found, const BodyAutomaton& thread,
-                   std::string_view process, std::string_view label) const;
+                   std::string_view process, std::string_view label);
 
   Context& context;
   Places places;
+  bool isMissing = false;
   /// The positions of the processes with each tag.
   std::map<std::string, std::set<std::uint32_t>, std::less<>> tags;
 };

@@ -17,6 +17,9 @@ using syntax::PropertyKind;
 PatternKind kindOf(PropertyKind kind) {
   switch (kind) {
   case PropertyKind::Always: return PatternKind::Always;
+  case PropertyKind::AlwaysReachable: return PatternKind::AlwaysReachable;
+  case PropertyKind::Longest: return PatternKind::Longest;
+  case PropertyKind::Shortest: return PatternKind::Shortest;
   case PropertyKind::DeadlockFree: return PatternKind::DeadlockFree;
   case PropertyKind::InfinitelyOften: return PatternKind::InfinitelyOften;
   case PropertyKind::LeadsTo: return PatternKind::LeadsTo;
@@ -42,6 +45,9 @@ LtlKind kindOf(ExprKind kind) {
   case ExprKind::Or: return LtlKind::Or;
   case ExprKind::Implies: return LtlKind::Implies;
   case ExprKind::Equivalent: return LtlKind::And; // conjunction of both implications
+  case ExprKind::WeakUntil: return LtlKind::Or;   // see `derived` for this one and the next two
+  case ExprKind::Release: return LtlKind::Not;
+  case ExprKind::StrongRelease: return LtlKind::Until;
   case ExprKind::Missing:
   case ExprKind::True:
   case ExprKind::False:
@@ -71,8 +77,9 @@ LtlKind kindOf(ExprKind kind) {
 }
 
 bool isTemporal(const syntax::Expr& expr) {
-  constexpr std::array kTemporal{ExprKind::Globally, ExprKind::Finally, ExprKind::Next,
-                                 ExprKind::Until};
+  constexpr std::array kTemporal{ExprKind::Globally,     ExprKind::Finally,   ExprKind::Next,
+                                 ExprKind::Until,        ExprKind::WeakUntil, ExprKind::Release,
+                                 ExprKind::StrongRelease};
   return std::ranges::find(kTemporal, expr.kind) != kTemporal.end() ||
          std::ranges::any_of(expr.operands, isTemporal);
 }
@@ -87,18 +94,6 @@ std::vector<fiacre::Ltl> bothWays(std::vector<fiacre::Ltl> sides) {
   return {std::move(there), std::move(back)};
 }
 
-fiacre::Ltl formula(Observer& observer, const syntax::Expr& expr) {
-  fiacre::Ltl ltl;
-  if (!isTemporal(expr)) {
-    ltl.atom = observer.condition(expr);
-    return ltl;
-  }
-  ltl.kind = kindOf(expr.kind);
-  for (const auto& operand : expr.operands) ltl.operands.push_back(formula(observer, operand));
-  if (expr.kind == ExprKind::Equivalent) ltl.operands = bothWays(std::move(ltl.operands));
-  return ltl;
-}
-
 fiacre::Observable compound(fiacre::ObservableKind kind, fiacre::Observable a,
                             fiacre::Observable b) {
   fiacre::Observable both;
@@ -110,6 +105,42 @@ fiacre::Observable compound(fiacre::ObservableKind kind, fiacre::Observable a,
 fiacre::Ltl atomOf(fiacre::Observable atom) {
   fiacre::Ltl ltl;
   ltl.atom = std::move(atom);
+  return ltl;
+}
+
+fiacre::Ltl operation(LtlKind kind, fiacre::Ltl a, fiacre::Ltl b) {
+  return {.kind = kind, .operands = fiacre::operandsOf(std::move(a), std::move(b))};
+}
+
+fiacre::Ltl both(fiacre::Ltl a, fiacre::Ltl b) {
+  if (!fiacre::isAtom(a) || !fiacre::isAtom(b))
+    return operation(LtlKind::And, std::move(a), std::move(b));
+  return atomOf(compound(fiacre::ObservableKind::And, std::move(a.atom), std::move(b.atom)));
+}
+
+/// The operators that Fiacre lacks, by those that it has: `a W b` is `(a until b) or [] a`, `a R b`
+/// is `not (not a until not b)`, `a M b` is `b until (a and b)`.
+fiacre::Ltl derived(ExprKind kind, fiacre::Ltl a, fiacre::Ltl b) {
+  if (kind == ExprKind::Release)
+    return fiacre::negated(
+        operation(LtlKind::Until, fiacre::negated(std::move(a)), fiacre::negated(std::move(b))));
+  if (kind == ExprKind::StrongRelease) return operation(LtlKind::Until, b, both(std::move(a), b));
+  fiacre::Ltl always = {.kind = LtlKind::Globally, .operands = {a}};
+  return operation(LtlKind::Or, operation(LtlKind::Until, std::move(a), std::move(b)),
+                   std::move(always));
+}
+
+fiacre::Ltl formula(Observer& observer, const syntax::Expr& expr) {
+  fiacre::Ltl ltl;
+  if (!isTemporal(expr)) {
+    ltl.atom = observer.condition(expr);
+    return ltl;
+  }
+  ltl.kind = kindOf(expr.kind);
+  for (const auto& operand : expr.operands) ltl.operands.push_back(formula(observer, operand));
+  if (expr.kind == ExprKind::Equivalent) ltl.operands = bothWays(std::move(ltl.operands));
+  if (expr.kind > ExprKind::Until)
+    return derived(expr.kind, std::move(ltl.operands[0]), std::move(ltl.operands[1]));
   return ltl;
 }
 

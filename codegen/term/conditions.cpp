@@ -15,10 +15,9 @@ fiacre::Expr comparison(Context& context, Op op, const syntax::Expr& expr) {
   return Linear::compare(op, Linear(context, expr.operands[0]), Linear(context, expr.operands[1]));
 }
 
-bool isEnumeration(const Context& context, const syntax::Expr& expr) {
-  if (expr.kind != ExprKind::Symbol) return false;
-  const auto* variable = context.program.stateVariables.find(expr.name.text);
-  return variable && !(*variable)->isNatural();
+bool isEnumeration(Context& context, const syntax::Expr& expr) {
+  const auto operand = context.operand(expr);
+  return operand && !operand->type->isNatural();
 }
 
 bool isMember(const syntax::Expr& expr, std::string_view member) {
@@ -86,6 +85,23 @@ fiacre::Expr sameResult(Context& context, std::string_view a, std::string_view b
   return disjunction(std::move(cases));
 }
 
+/// Whether the operand, which is written as `expr`, has the value, as in `(battery Low)`.
+fiacre::Expr hasValue(Context& context, const Operand& operand, const syntax::Expr& expr,
+                      const syntax::Expr& value) {
+  if (operand.type->isNatural())
+    return Linear::compare(Op::Equal, Linear(context, expr), Linear(context, value));
+  auto left = name(operand.variable);
+  auto right = enumerationValue(context, *operand.type, value);
+  return left == right ? boolean(true) : equal(std::move(left), std::move(right));
+}
+
+fiacre::Expr test(Context& context, const syntax::Expr& expr) {
+  syntax::Expr variable;
+  variable.kind = ExprKind::Symbol;
+  variable.name = expr.name;
+  return hasValue(context, *context.operand(variable), variable, expr.operands[0]);
+}
+
 fiacre::Expr equality(Context& context, const syntax::Expr& a, const syntax::Expr& b) {
   if (isMember(a, "status") || isMember(b, "status")) return statusEquality(context, a, b);
   if (isMember(a, "res") && isMember(b, "res"))
@@ -93,8 +109,8 @@ fiacre::Expr equality(Context& context, const syntax::Expr& a, const syntax::Exp
   if (isMember(a, "res")) return resultIs(context, a.name.text, b.name.text);
   if (isMember(b, "res")) return resultIs(context, b.name.text, a.name.text);
   // the first operand that is a variable determines the meaning of the other word
-  if (isEnumeration(context, a)) return hasValue(context, a.name, b);
-  if (isEnumeration(context, b)) return hasValue(context, b.name, a);
+  if (isEnumeration(context, a)) return hasValue(context, *context.operand(a), a, b);
+  if (isEnumeration(context, b)) return hasValue(context, *context.operand(b), b, a);
   return Linear::compare(Op::Equal, Linear(context, a), Linear(context, b));
 }
 
@@ -106,22 +122,14 @@ std::vector<fiacre::Expr> conditions(Context& context, const syntax::List<syntax
 
 } // namespace
 
-fiacre::Expr enumerationValue(Context& context, std::string_view variable, std::string_view word) {
-  const auto& states = context.stateVariable(variable).states;
-  const bool isValue = std::ranges::any_of(states, [&](const auto& it) { return it.text == word; });
-  return name(isValue ? context.names.value(variable, word) : context.names.variable(word));
-}
-
-fiacre::Expr hasValue(Context& context, const syntax::Name& variable, const syntax::Expr& value) {
-  if (context.stateVariable(variable.text).isNatural()) {
-    syntax::Expr symbol;
-    symbol.kind = ExprKind::Symbol;
-    symbol.name = variable;
-    return Linear::compare(Op::Equal, Linear(context, symbol), Linear(context, value));
-  }
-  auto left = name(context.names.variable(variable.text));
-  auto right = enumerationValue(context, variable.text, value.name.text);
-  return left == right ? boolean(true) : equal(std::move(left), std::move(right));
+fiacre::Expr enumerationValue(Context& context, const syntax::StateVariable& type,
+                              const syntax::Expr& value) {
+  const auto word = value.name.text;
+  const bool isValue =
+      value.kind == ExprKind::Symbol &&
+      std::ranges::any_of(type.states, [&](const auto& it) { return it.text == word; });
+  return name(isValue ? context.names.value(type.name.text, word)
+                      : context.operand(value)->variable);
 }
 
 fiacre::Expr condition(Context& context, const syntax::Expr& expr) {
@@ -137,7 +145,7 @@ fiacre::Expr condition(Context& context, const syntax::Expr& expr) {
   case ExprKind::Equivalent:
     return equal(condition(context, expr.operands[0]), condition(context, expr.operands[1]));
   case ExprKind::Test:
-  case ExprKind::Value: return hasValue(context, expr.name, expr.operands[0]);
+  case ExprKind::Value: return test(context, expr);
   case ExprKind::Equal: return equality(context, expr.operands[0], expr.operands[1]);
   case ExprKind::NotEqual: return negation(equality(context, expr.operands[0], expr.operands[1]));
   case ExprKind::Less: return comparison(context, Op::Less, expr);
@@ -160,7 +168,10 @@ fiacre::Expr condition(Context& context, const syntax::Expr& expr) {
   case ExprKind::Globally:
   case ExprKind::Finally:
   case ExprKind::Next:
-  case ExprKind::Until: break;
+  case ExprKind::Until:
+  case ExprKind::WeakUntil:
+  case ExprKind::Release:
+  case ExprKind::StrongRelease: break;
   }
   assert(false && "not a condition of the program");
   return boolean(false);
@@ -173,9 +184,11 @@ fiacre::Expr conditionIn(std::string_view reader, Context& context, const syntax
   return translated;
 }
 
-fiacre::Expr precondition(Context& context, const syntax::Skill& skill) {
+fiacre::Expr precondition(Context& context, const SkillPlan& skill) {
+  const WrittenIn scope(context, skill);
   std::vector<fiacre::Expr> all;
-  for (const auto& each : skill.preconditions) all.push_back(condition(context, each.condition));
+  for (const auto& each : skill.skill().preconditions)
+    all.push_back(condition(context, each.condition));
   return conjunction(std::move(all));
 }
 

@@ -10,16 +10,12 @@ namespace proskill::codegen {
 [[nodiscard]] fiacre::Expr conditionIn(std::string_view reader, Context& context,
                                        const syntax::Expr& expr);
 
-/// The condition that `variable` has `value`, as in `(battery Low)`.
-[[nodiscard]] fiacre::Expr hasValue(Context& context, const syntax::Name& variable,
-                                    const syntax::Expr& value);
-
-/// The right-hand side of an assignment to an enumeration or of a comparison with it: a value or a
-/// variable.
-[[nodiscard]] fiacre::Expr enumerationValue(Context& context, std::string_view variable,
-                                            std::string_view word);
+/// The right-hand side of an assignment to an enumeration or of a comparison with it: a value, a
+/// variable, or an input.
+[[nodiscard]] fiacre::Expr enumerationValue(Context& context, const syntax::StateVariable& type,
+                                            const syntax::Expr& value);
 
 /// The conjunction of all preconditions of a skill.
-[[nodiscard]] fiacre::Expr precondition(Context& context, const syntax::Skill& skill);
+[[nodiscard]] fiacre::Expr precondition(Context& context, const SkillPlan& skill);
 
 } // namespace proskill::codegen

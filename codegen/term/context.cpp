@@ -8,6 +8,20 @@ fiacre::Expr Context::cellField(std::string_view thread, std::string_view field)
   return codegen::field(element(name("skill"), name(names.cell(thread))), field);
 }
 
+std::optional<Operand> Context::operand(const syntax::Expr& expr) {
+  if (expr.kind == syntax::ExprKind::Symbol) {
+    const auto* variable = program.stateVariables.find(expr.name.text);
+    if (!variable) return std::nullopt;
+    return Operand{names.variable(expr.name.text), &variable->node()};
+  }
+  if (expr.kind != syntax::ExprKind::Parameter || !writtenIn) return std::nullopt;
+  for (const auto& input : writtenIn->skill().inputs)
+    if (input.name.text == expr.name.text)
+      return Operand{names.input(writtenIn->name(), input.name.text),
+                     &stateVariable(input.type.text)};
+  return std::nullopt;
+}
+
 fiacre::Expr Context::outcomeField(std::string_view skill, std::string_view field) {
   const auto owner = plan.ownOutcomes.ownerFor(reader, skill);
   return owner.empty() ? cellField(skill, field) : ownField(owner, skill, field);

@@ -18,6 +18,12 @@
 
 namespace proskill::codegen {
 
+/// What a word or a parameter of a condition refers to.
+struct Operand {
+  std::string variable;                        ///< of the model
+  const syntax::StateVariable* type = nullptr; ///< the state variable whose values it has
+};
+
 /// The input of all parts of the generator: the program, the plan, and results that parts pass to
 /// each other.
 struct Context {
@@ -30,10 +36,12 @@ struct Context {
   std::vector<std::string> results;   ///< used constructors of `skill_result`, except `no_result`
   std::set<std::string_view> alarmed; ///< state variables with a move that may be forbidden
   std::optional<fiacre::Function> invariantActive; ///< if any skill has an invariant
-  std::string_view reader; ///< the thread whose conditions are being translated
-  CallTable arguments;     ///< for the runtime and executed editions
+  std::string_view reader;              ///< the thread whose conditions are being translated
+  const SkillPlan* writtenIn = nullptr; ///< the skill whose text is being translated
+  CallTable arguments;                  ///< for the runtime and executed editions
   std::vector<Performed> performed;
   std::map<fiacre::OriginId, Alarm> alarms; ///< filled while the model is built
+  std::map<fiacre::OriginId, std::vector<MessagePart>> messages; ///< likewise
 
   [[nodiscard]] bool isRuntime() const { return options.edition == Edition::Runtime; }
   [[nodiscard]] bool isExecuted() const { return options.edition == Edition::Executed; }
@@ -66,6 +74,8 @@ struct Context {
     const auto& capacity = program.resources.find(resource)->node().capacity;
     return capacity ? capacity->number.numerator : 1;
   }
+  /// A state variable, or an input of the skill that is being translated; nullopt for others.
+  [[nodiscard]] std::optional<Operand> operand(const syntax::Expr& expr);
   /// A field of a skill or a branch: `skill[takeoff].status`.
   [[nodiscard]] fiacre::Expr cellField(std::string_view thread, std::string_view field);
   /// `status` or `val` of a skill as the body `reader` sees it: of its own last call if several
@@ -77,6 +87,22 @@ struct Context {
   /// A constructor of `skill_result`. Records that it is used.
   [[nodiscard]] fiacre::Expr result(std::string_view skill, std::string_view status,
                                     std::string_view tag);
+};
+
+/// As long as it lives, the text of this skill is being translated.
+class WrittenIn {
+public:
+  WrittenIn(Context& context, const SkillPlan& skill)
+      : context(context), before(context.writtenIn) {
+    context.writtenIn = &skill;
+  }
+  ~WrittenIn() { context.writtenIn = before; }
+  WrittenIn(const WrittenIn&) = delete;
+  WrittenIn& operator=(const WrittenIn&) = delete;
+
+private:
+  Context& context;
+  const SkillPlan* before;
 };
 
 /// The actor of a skill, or of one of its threads, in traces.

@@ -24,7 +24,7 @@ struct Assignment {
 };
 
 /// Whether the variable has a value from which it must not move to `word`.
-fiacre::Expr forbiddenMove(Context& context, const syntax::StateVariable& variable,
+fiacre::Expr forbiddenFrom(Context& context, const syntax::StateVariable& variable,
                            std::string_view word) {
   const auto current = name(context.names.variable(variable.name.text));
   std::vector<fiacre::Expr> sources;
@@ -34,17 +34,32 @@ fiacre::Expr forbiddenMove(Context& context, const syntax::StateVariable& variab
   return disjunction(std::move(sources));
 }
 
+/// Whether the move to the value is forbidden now. A variable only moves to another value by a word
+/// or by an input.
+fiacre::Expr forbiddenMove(Context& context, const syntax::StateVariable& variable,
+                           const syntax::Expr& value) {
+  if (context.options.automata != StateVariableAutomata::Exact) return boolean(false);
+  // a value may have the same name as its variable; otherwise that name is the current value
+  if (value.kind == syntax::ExprKind::Symbol) {
+    const bool isValue = std::ranges::any_of(
+        variable.states, [&](const auto& it) { return it.text == value.name.text; });
+    return isValue ? forbiddenFrom(context, variable, value.name.text) : boolean(false);
+  }
+  const auto input = name(context.operand(value)->variable);
+  std::vector<fiacre::Expr> moves;
+  for (const auto& to : variable.states)
+    moves.push_back(
+        conjunction({equal(input, name(context.names.value(variable.name.text, to.text))),
+                     forbiddenFrom(context, variable, to.text)}));
+  return disjunction(std::move(moves));
+}
+
 Assignment enumerationAssignment(Context& context, const syntax::Effect& effect,
                                  const syntax::StateVariable& variable) {
-  const auto word = effect.value.name.text;
-  // a value may have the same name as its variable; otherwise that name is the current value
-  const bool isValue =
-      std::ranges::any_of(variable.states, [&](const auto& it) { return it.text == word; });
-  const bool isMove = context.options.automata == StateVariableAutomata::Exact && isValue;
   return {.effect = &effect,
-          .forbidden = isMove ? forbiddenMove(context, variable, word) : boolean(false),
+          .forbidden = forbiddenMove(context, variable, effect.value),
           .target = context.names.variable(variable.name.text),
-          .value = enumerationValue(context, variable.name.text, word)};
+          .value = enumerationValue(context, variable, effect.value)};
 }
 
 /// A natural that would leave its bounds raises the alarm, and stays at the bound.

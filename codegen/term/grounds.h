@@ -16,6 +16,13 @@ OriginId falseAfterwards(Context& context, OriginId origin, const fiacre::Expr& 
                          std::string text);
 /// Other processes made `told` true or false.
 OriginId causedBy(Context& context, OriginId origin, const fiacre::Expr& told);
+/// The step waits until the condition is true.
+/// \param text what it waits for \param resource its name, if it is one
+OriginId waitsFor(Context& context, OriginId origin, const fiacre::Expr& condition,
+                  std::string text, std::string_view resource = {});
+/// While the condition is true, a skill has a resource that a step waits for.
+OriginId heldBy(Context& context, OriginId origin, const fiacre::Expr& condition,
+                std::string_view skill, std::string_view resource);
 /// A natural would get a value that may be out of its bounds.
 OriginId triesValue(Context& context, OriginId origin, const syntax::Effect& effect);
 /// An enumeration would move to a value that its current value does not allow.

@@ -50,9 +50,9 @@ void Linear::add(Context& context, const syntax::Expr& expr, std::int64_t sign) 
     constant = addUp(constant, times(sign, expr.number.numerator));
     return;
   }
-  if (expr.kind == ExprKind::Symbol) {
-    const auto [low, high] = domainOf(context.stateVariable(expr.name.text));
-    return addTerm({context.names.variable(expr.name.text), sign, low, high});
+  if (const auto operand = context.operand(expr)) {
+    const auto [low, high] = domainOf(*operand->type);
+    return addTerm({operand->variable, sign, low, high});
   }
   assert(expr.kind == ExprKind::Add || expr.kind == ExprKind::Subtract);
   for (std::size_t i = 0; i < expr.operands.size(); ++i) {

@@ -10,7 +10,7 @@ namespace proskill::codegen {
 /// without negative terms on either side, since Fiacre's naturals must not be negative in between.
 class Linear {
 public:
-  /// \pre `expr` consists of numbers, state variables that are naturals, `+` and `-`
+  /// \pre `expr` consists of numbers, state variables and inputs that are naturals, `+` and `-`
   Linear(Context& context, const syntax::Expr& expr);
   explicit Linear(std::int64_t value) : constant(value) {}
 

@@ -87,7 +87,7 @@ std::vector<Rational> boundsOf(const Interval& interval) {
   return bounds;
 }
 
-std::expected<std::int64_t, GenerationError> offlineScale(const Durations& durations) {
+std::expected<std::int64_t, GenerationError> scaleOfVerification(const Durations& durations) {
   std::int64_t perSecond = 1;
   for (const auto& duration : durations.all)
     for (const auto bound : boundsOf(duration.interval)) {
@@ -130,7 +130,7 @@ std::expected<Times, GenerationError> Times::of(const analysis::Program& program
   if (times.punctual) {
     times.perSecond = options.ticksPerSecond;
   } else {
-    const auto scale = offlineScale(durations);
+    const auto scale = scaleOfVerification(durations);
     if (!scale) return std::unexpected(scale.error());
     times.perSecond = *scale;
   }

@@ -7,9 +7,9 @@
 
 namespace proskill::codegen {
 
-/// Converts seconds to integer time units of the model. Offline, the unit is the largest one of at
-/// most a second in which every bound of the program is an integer. At runtime the unit is a tick,
-/// and each wait lasts a fixed number of ticks, since Hippo waits punctually.
+/// Converts seconds to integer time units of the model. In models to verify, the unit is the
+/// largest one of at most a second in which every bound of the program is an integer. At runtime
+/// the unit is a tick, and each wait lasts a fixed number of ticks, since Hippo waits punctually.
 class Times {
 public:
   /// Reads every bound of the program. Fails if one exceeds the 31 bits of naturals that Fiacre's

@@ -1,5 +1,6 @@
 #include "codegen/term/watched.h"
 
+#include "codegen/term/inputs.h"
 #include "fiacre/print/print.h"
 
 namespace proskill::codegen {
@@ -8,7 +9,7 @@ namespace {
 
 using Words = std::map<std::string, std::string>;
 
-Words valuesOf(Context& context, const syntax::StateVariable& variable) {
+Words shownValues(Context& context, const syntax::StateVariable& variable) {
   Words words;
   for (const auto& state : variable.states)
     words[context.names.value(variable.name.text, state.text)] = state.text;
@@ -34,7 +35,7 @@ std::vector<fiacre::Watched> watchedVariables(Context& context) {
   std::vector<fiacre::Watched> all;
   for (const auto& variable : context.program.stateVariables.all)
     all.push_back({context.names.variable(variable.name()), std::string(variable.name()),
-                   valuesOf(context, variable.node())});
+                   shownValues(context, variable.node())});
   for (const auto& skill : context.plan.skills) {
     const auto add = [&](std::string_view field, std::string_view member, Words words) {
       all.push_back({fiacre::printLvalue(context.cellField(skill.name(), field)),
@@ -42,6 +43,10 @@ std::vector<fiacre::Watched> watchedVariables(Context& context) {
     };
     add("status", "status", {});
     if (skill.resultIsRead) add("val", "res", resultsOf(context, skill.skill()));
+    for (const auto* input : skill.inputs)
+      all.push_back({context.names.input(skill.name(), input->name.text),
+                     shownInput(skill.name(), input->name.text),
+                     shownValues(context, context.stateVariable(input->type.text))});
   }
   for (const auto& resource : context.program.resources.all)
     all.push_back(

@@ -82,12 +82,15 @@ private:
     case PatternKind::NoError:
     case PatternKind::Ltl: wanted = 0; break;
     case PatternKind::LeadsTo:
-    case PatternKind::Precedes: wanted = 2; break;
+    case PatternKind::Precedes:
+    case PatternKind::Longest:
+    case PatternKind::Shortest: wanted = 2; break;
     case PatternKind::InfinitelyOften:
     case PatternKind::Mortal:
     case PatternKind::Present:
     case PatternKind::Absent:
-    case PatternKind::Always: break;
+    case PatternKind::Always:
+    case PatternKind::AlwaysReachable: break;
     }
     if (pattern.operands.size() != wanted)
       report(fmt::format("the pattern has {} operands, not {}", pattern.operands.size(), wanted));

@@ -48,7 +48,8 @@ private:
   }
 
   void targets() const {
-    for (const auto& target : s.targets) (void)typing.target(target);
+    for (const auto& target : s.targets)
+      if (!isWild(target)) (void)typing.target(target);
     for (const auto& guard : s.values) typing.expectBool(guard);
   }
 
@@ -70,7 +71,7 @@ private:
     const auto type = typing.infer(s.values[0]);
     for (std::size_t i = 1; type && i < s.values.size(); ++i) {
       const auto& pattern = s.values[i];
-      const bool rest = pattern.kind == ExprKind::Name && pattern.name == "any";
+      const bool rest = isWild(pattern);
       if (!rest) typing.expect(pattern, *type);
       if (rest && i + 1 < s.values.size()) report("no value is left after the pattern `any`");
       if (std::find(s.values.begin() + 1, s.values.begin() + static_cast<std::ptrdiff_t>(i),
@@ -105,7 +106,7 @@ private:
     if (found && found->out && !found->in)
       report(fmt::format("the port `{}` is an output", s.name));
     for (std::size_t i = 0; found && i < s.targets.size(); ++i)
-      typing.expect(s.targets[i], found->values[i]);
+      typing.expect(s.targets[i], found->values[i]); // `any` is of every type
   }
 
   [[nodiscard]] const Task* task() const {

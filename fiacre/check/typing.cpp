@@ -92,6 +92,7 @@ bool Typing::expectParts(const Expr& expr, const Type& type) const {
 }
 
 void Typing::expect(const Expr& expr, const Type& wanted) const {
+  if (isWild(expr)) return;
   const auto type = canonical(wanted, *declarations);
   if (expectParts(expr, type)) return;
   const auto found = infer(expr);

@@ -118,6 +118,9 @@ std::string_view word(PatternKind kind) {
   case PatternKind::Ltl: return "ltl";
   case PatternKind::Progress: return "progress";
   case PatternKind::NoError: return "no error";
+  case PatternKind::AlwaysReachable: return "always reachable";
+  case PatternKind::Longest: return "longest";
+  case PatternKind::Shortest: return "shortest";
   }
   assert(false);
   return {};
@@ -132,6 +135,12 @@ std::string printPattern(const Pattern& pattern, const std::string& main) {
   case PatternKind::Progress: return "time can always progress";
   case PatternKind::NoError: return "nothing fails at run time";
   case PatternKind::Ltl: return "ltl " + printLtl(pattern.ltl, main);
+  case PatternKind::AlwaysReachable:
+    return fmt::format("{} can always be reached", operand(operands[0], main));
+  case PatternKind::Longest:
+  case PatternKind::Shortest:
+    return fmt::format("the {} time from {} to {}", word(pattern.kind), operand(operands[0], main),
+                       operand(operands[1], main));
   case PatternKind::LeadsTo:
   case PatternKind::Precedes:
     return fmt::format("{} {}{} {}{}", operand(operands[0], main), word(pattern.kind),
@@ -159,8 +168,7 @@ void printProperty(Output& out, const Property& property, const std::string& mai
       writer.comment(0, "It may stop where " + printObservable(rest, main) + ".");
   const auto text =
       fmt::format("property {} is {}", property.name, printPattern(property.pattern, main));
-  const auto kind = property.pattern.kind;
-  if (kind == PatternKind::Progress || kind == PatternKind::NoError) return writer.comment(0, text);
+  if (!isOfFiacre(property.pattern.kind)) return writer.comment(0, text);
   writer.line(0, text);
   if (!property.asserted) return;
   writer.line(0, fmt::format("{} {}", options.prove ? "prove" : "assert", property.name));

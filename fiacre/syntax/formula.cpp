@@ -37,7 +37,10 @@ std::optional<Ltl> asFormula(const Pattern& pattern) {
               {of(Until, {negated(atom(1)), atom(0)}), of(Globally, {negated(atom(1))})});
   case PatternKind::DeadlockFree:
   case PatternKind::Progress:
-  case PatternKind::NoError: return std::nullopt;
+  case PatternKind::NoError:
+  case PatternKind::AlwaysReachable:
+  case PatternKind::Longest:
+  case PatternKind::Shortest: return std::nullopt;
   }
   std::unreachable();
 }

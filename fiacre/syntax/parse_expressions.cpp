@@ -115,6 +115,7 @@ Expr Parser::primary() {
   if (peek().kind == TokenKind::Number) return number();
   if (accept("true")) return {.kind = ExprKind::Bool, .number = 1};
   if (accept("false")) return {.kind = ExprKind::Bool, .number = 0};
+  if (inPattern && accept("any")) return {.kind = ExprKind::Name, .name = "any"};
   if (accept("(")) return parenthesised();
   if (accept("{|")) return {.kind = ExprKind::Queue, .operands = exprs("|}")};
   if (accept("{")) return record();

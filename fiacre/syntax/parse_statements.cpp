@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace proskill::fiacre {
 
 /// Reads a sequence; a single statement is returned as it is.
@@ -51,8 +53,32 @@ Statement Parser::plain() {
     if (isAtName()) result.targets.push_back(lvalue());
     return result;
   }
+  if (isAtAssignedPattern()) return patternAssignment();
   if (!isAtName()) fail("a statement is missing");
   return startingWithName();
+}
+
+/// Whether a literal, or a constructor with its value, is next: the pattern on the left of `:=`.
+bool Parser::isAtAssignedPattern() const {
+  const bool isLiteral =
+      isAt("true") || isAt("false") || isAt("any") || isAt("-") || peek().kind == TokenKind::Number;
+  return isLiteral || (isAtName() && isAt("(", 1));
+}
+
+/// `pattern := value` goes on only if the value matches, like `case value of pattern -> null end`.
+Statement Parser::patternAssignment() {
+  const Expr pattern = matched();
+  expect(":=");
+  return {.kind = StatementKind::Case,
+          .values = {expr(), pattern},
+          .children = {{.kind = StatementKind::Null}}};
+}
+
+Expr Parser::matched() {
+  const bool before = std::exchange(inPattern, true);
+  Expr result = expr();
+  inPattern = before;
+  return result;
 }
 
 /// Reads an assignment or a communication.
@@ -65,7 +91,7 @@ Statement Parser::startingWithName() {
       result.values = list(",", [&] { return expr(); });
       return result;
     }
-    result.targets = list(",", [&] { return lvalue(); });
+    result.targets = list(",", [&] { return isAt("any") ? matched() : lvalue(); });
     if (accept("where")) result.values.push_back(expr());
     return result;
   }
@@ -110,10 +136,7 @@ Statement Parser::cases() {
   Statement result{.kind = StatementKind::Case, .values = {expr()}};
   expect("of");
   do {
-    if (accept("any"))
-      result.values.push_back({.kind = ExprKind::Name, .name = "any"});
-    else
-      result.values.push_back(expr());
+    result.values.push_back(matched());
     expect("->");
     result.children.push_back(statements());
   } while (accept("|"));

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace proskill::fiacre {
@@ -213,10 +214,24 @@ std::vector<Variable> Parser::variables() {
   return all;
 }
 
+/// Skips `x, y:`, the names of parameters of what is written in C. \return their number
+std::size_t Parser::namesBeforeColon() {
+  std::size_t ahead = 1;
+  while (isAt(",", ahead) && peek(ahead + 1).kind == TokenKind::Name) ahead += 2;
+  if (!isAtName() || !isAt(":", ahead)) return 0;
+  at += ahead + 1;
+  return (ahead + 1) / 2;
+}
+
 std::vector<Type> Parser::typesInParentheses() {
   expect("(");
   if (accept(")")) return {};
-  auto all = list(",", [&] { return type(); });
+  std::vector<Type> all;
+  do {
+    const std::size_t named = namesBeforeColon();
+    const Type shared = type();
+    all.insert(all.end(), std::max<std::size_t>(named, 1), shared);
+  } while (accept(","));
   expect(")");
   return all;
 }

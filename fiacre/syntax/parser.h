@@ -82,6 +82,7 @@ private:
   std::vector<Parameter> parameters();
   std::vector<Variable> variables();
   std::vector<Type> typesInParentheses();
+  std::size_t namesBeforeColon();
 
   // Expressions: parse_expressions.cpp
   Expr expr();
@@ -102,6 +103,9 @@ private:
   Statement plain();
   Statement startingWithName();
   Statement assignment(std::vector<Expr> targets);
+  Statement patternAssignment();
+  [[nodiscard]] bool isAtAssignedPattern() const;
+  Expr matched();
   Statement conditional();
   Statement cases();
   Statement selection();
@@ -160,6 +164,7 @@ private:
   Parsed parsed;
   std::uint32_t path = 0; ///< of the current atom
   PathSteps steps;
+  bool inPattern = false;     ///< `any` is an expression
   bool joinsPatterns = false; ///< patterns may occur in formulas
   bool hasPatterns = false;   ///< and one did occur
   std::string_view separator; ///< a word that does not join formulas in this context

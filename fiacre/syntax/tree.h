@@ -93,6 +93,11 @@ struct Expr {
   friend bool operator==(const Expr&, const Expr&) = default;
 };
 
+/// The pattern `any`, which every value matches.
+[[nodiscard]] inline bool isWild(const Expr& pattern) {
+  return pattern.kind == ExprKind::Name && pattern.name == "any";
+}
+
 enum class StatementKind : std::uint8_t {
   Null,
   Comment,  // a line of comment
@@ -274,9 +279,19 @@ enum class PatternKind : std::uint8_t {
   LeadsTo,
   Precedes,
   Ltl,
-  Progress, // not in Fiacre: time can always pass; printed as a comment
-  NoError,  // not in Fiacre: no evaluation fails at run time; printed as a comment
+  // Not in Fiacre, printed as comments:
+  Progress,        // time can always pass
+  NoError,         // no evaluation fails at run time
+  AlwaysReachable, // from every state, some run leads to the operand
+  Longest,         // a value: the longest time from the first operand to the next second one
+  Shortest,        // the same, the shortest time
 };
+
+[[nodiscard]] inline bool isOfFiacre(PatternKind kind) { return kind < PatternKind::Progress; }
+/// Whether the answer is a time rather than a truth value.
+[[nodiscard]] inline bool asksForTime(PatternKind kind) {
+  return kind == PatternKind::Longest || kind == PatternKind::Shortest;
+}
 
 enum class LtlKind : std::uint8_t { Atom, Globally, Finally, Next, Until, Not, And, Or, Implies };
 

@@ -10,17 +10,17 @@ namespace proskill::ide {
 
 namespace {
 
-constexpr std::array<std::string_view, 21> kOrder{
-    ":states",        ":init",      ":min",    ":max",          ":transitions",   ":capacity",
-    ":every",         ":effects",   ":input",  ":precondition", ":start",         ":invariant",
-    ":time_interval", ":resources", ":action", ":interrupt",    ":interruptible", ":success",
-    ":failure",       ":monitor",   ":body"};
+constexpr std::array<std::string_view, 22> kOrder{
+    ":states",    ":init",          ":min",       ":max",    ":transitions",  ":capacity",
+    ":every",     ":guard",         ":effects",   ":input",  ":precondition", ":start",
+    ":invariant", ":time_interval", ":resources", ":action", ":interrupt",    ":interruptible",
+    ":success",   ":failure",       ":monitor",   ":body"};
 
 std::size_t rankOf(const syntax::FieldUse& field) {
   return static_cast<std::size_t>(std::ranges::find(kOrder, field.keyword.text) - kOrder.begin());
 }
 
-const syntax::List<syntax::FieldUse>* fieldsOf(const syntax::Form& form) {
+const syntax::List<syntax::FieldUse>* fieldUses(const syntax::Form& form) {
   return std::visit(
       [](const auto& node) -> const syntax::List<syntax::FieldUse>* {
         if constexpr (requires { node.fields; } &&
@@ -118,7 +118,7 @@ void addMonitor(const ActionContext& context, Actions& actions) {
 
 void addSortFields(const ActionContext& context, Actions& actions) {
   const auto* form = context.form();
-  const auto* fields = form ? fieldsOf(*form) : nullptr;
+  const auto* fields = form ? fieldUses(*form) : nullptr;
   if (!fields || fields->size() < 2) return;
   auto chunks = chunksOf(context, *fields);
   auto sorted = chunks;

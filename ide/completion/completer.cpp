@@ -89,6 +89,9 @@ void Completer::fill() {
   case Slot::Transitions: return skeleton(":all", ":all", "");
   case Slot::Monitor: skeleton("t", "t", ""); return skeleton("always", "always", "");
   case Slot::Interruptible: skeleton("nil", "nil", ""); return skeleton("t", "t", "");
+  case Slot::Fair:
+    for (const auto* value : {"nil", "t"}) skeleton(value, value, "");
+    return skeleton("(skill …)", "()", "($0)");
   case Slot::CaseArm: return forms(WordKind::CaseOutcome);
   case Slot::CasePattern: return forms(WordKind::CaseOutcome, false);
   case Slot::Condition:
@@ -164,6 +167,7 @@ void Completer::skeleton(std::string_view label, std::string_view insert,
 void Completer::conditions() {
   const bool inProperty = place.slot == Slot::Proposition || place.slot == Slot::Temporal;
   variables(false);
+  if (place.slot == Slot::Temporal && !place.isHead) values(place.subject);
   if (inProperty) forms(WordKind::Observation);
   if (place.slot == Slot::Temporal) forms(WordKind::Temporal);
   forms(WordKind::Connective);

@@ -56,6 +56,9 @@ private:
   void argumentNames();
   void argumentValues();
   void parameters();
+  void parameter(SymbolId symbol);
+  void inputs(std::string_view type);
+  [[nodiscard]] std::string_view typeOf(std::string_view operand) const;
   void command();
   void anyLabels();
   void types();

@@ -36,9 +36,9 @@ bool takesNumbers(std::string_view type) {
 /// Completes where names of the program are allowed.
 void Completer::fillNames() {
   switch (place.slot) {
-  case Slot::InitialValue:
+  case Slot::InitialValue: return values(place.subject);
   case Slot::VariableValue:
-  case Slot::EffectValue: return values(place.subject);
+  case Slot::EffectValue: values(place.subject); return inputs(place.subject);
   case Slot::Transition: return values(place.subject);
   case Slot::InputType: return types();
   case Slot::Command: return command();
@@ -125,8 +125,10 @@ void Completer::operands() {
     if (place.subject.substr(dot) == ".res") return results(skillName);
   }
   if (place.isHead) return forms(WordKind::Arithmetic);
-  values(place.subject);
+  const auto type = typeOf(place.subject);
+  values(type);
   const bool beside = !items.empty();
+  inputs(type);
   variables(false);
   if (beside) return;
   constants();
@@ -135,7 +137,10 @@ void Completer::operands() {
 }
 
 void Completer::numbers() {
-  if (!place.isHead) variables(true);
+  if (!place.isHead) {
+    inputs({});
+    variables(true);
+  }
   constants();
   forms(WordKind::Arithmetic);
 }
@@ -274,13 +279,38 @@ void Completer::argumentValues() {
 
 void Completer::parameters() {
   if (owner() == kNoSymbol) return;
-  for (auto id : symbols.members(SymbolKind::Parameter, owner())) {
-    Completion& item = name(id, CompletionKind::Parameter);
-    item.label = item.insert = item.filter = fmt::format("${}", symbols[id].name);
-    item.snippet = fmt::format("\\{}", item.label);
-    item.detail = signature(view, id);
+  for (auto id : symbols.members(SymbolKind::Parameter, owner())) parameter(id);
+  ++rank;
+}
+
+void Completer::parameter(SymbolId id) {
+  Completion& item = name(id, CompletionKind::Parameter);
+  item.label = item.insert = item.filter = fmt::format("${}", symbols[id].name);
+  item.snippet = fmt::format("\\{}", item.label);
+  item.detail = signature(view, id);
+}
+
+/// The skill's inputs that conditions and effects may read.
+/// \param type the state variable whose values they have; empty: any
+void Completer::inputs(std::string_view type) {
+  if (place.isHead || place.definition != "defskill" || owner() == kNoSymbol) return;
+  for (const auto& input : skill(owner()).inputs) {
+    const bool fits = type.empty() ? find(SymbolKind::StateVariable, input.type.text) != kNoSymbol
+                                   : input.type.text == type;
+    const auto name = analysis::withoutDollar(input.name).text;
+    const auto id = symbols.find(SymbolKind::Parameter, name, owner());
+    if (fits && id != kNoSymbol) parameter(id);
   }
   ++rank;
+}
+
+/// The state variable that an operand is, or whose values it has.
+std::string_view Completer::typeOf(std::string_view operand) const {
+  if (!operand.starts_with('$') || place.definition != "defskill" || owner() == kNoSymbol)
+    return operand;
+  for (const auto& input : skill(owner()).inputs)
+    if (input.name.text == operand) return input.type.text;
+  return operand;
 }
 
 /// The platform's commands are unknown, but most skills have the name of their command.

@@ -37,6 +37,7 @@ bool isNarrow(const Place& place) {
   case Slot::CaseCall:
   case Slot::CaseTag:
   case Slot::Interruptible:
+  case Slot::Fair:
   case Slot::Monitor: return true;
   case Slot::Operand: return !place.subject.empty();
   default: return false;

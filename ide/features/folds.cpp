@@ -1,4 +1,4 @@
-#include "ide/answers/fold.h"
+#include "ide/features/structure.h"
 
 namespace proskill::ide {
 

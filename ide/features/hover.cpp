@@ -19,6 +19,18 @@ void addValues(Markup& text, const View& view, const analysis::Occurrence& occur
   if (!values.empty()) text.prose(values);
 }
 
+/// How long a skill takes, if that was measured for exactly these texts.
+void addDuration(Markup& text, const View& view, const analysis::Occurrence& occurrence,
+                 const Verdicts& verdicts) {
+  const auto& symbol = view.index().symbols()[occurrence.symbol];
+  if (symbol.kind != SymbolKind::Skill) return;
+  const auto known = currentVerdicts(verdicts, view);
+  const auto* duration = known ? durationOf(*known, symbol.name) : nullptr;
+  if (!duration) return;
+  const auto sentence = durationSentence(*duration, mayTimeStop(*known));
+  if (!sentence.empty()) text.prose(sentence);
+}
+
 /// Whether the cursor is on the second part of `takeoff.status`.
 bool isMember(const Path& path, std::string_view text) {
   const auto dot = text.find('.');
@@ -38,7 +50,7 @@ Hover ofMember(const View& view, const Word& word, syntax::Range range, std::str
 
 } // namespace
 
-std::optional<Hover> hover(const View& view, syntax::Offset at) {
+std::optional<Hover> hover(const View& view, syntax::Offset at, const Verdicts& verdicts) {
   const Path path = pathTo(view.document(), at);
   const auto text = std::string_view(view.text()).substr(path.word.begin, path.word.length());
   const Word* word = wordAt(path, text);
@@ -47,6 +59,7 @@ std::optional<Hover> hover(const View& view, syntax::Offset at) {
     Hover result{{}, occurrence->at.range};
     describe(result.text, view, occurrence->symbol);
     addValues(result.text, view, *occurrence);
+    addDuration(result.text, view, *occurrence, verdicts);
     return result;
   }
   if (!word || word->kind == WordKind::Member) return std::nullopt;

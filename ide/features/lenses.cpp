@@ -142,7 +142,10 @@ private:
   void addVerdicts(Lens lens, const std::vector<const PropertyVerdict*>& of) {
     const Summary summary(of);
     lens.title = summary.words();
-    if (isStale) lens.title += " (outdated)";
+    if (isStale)
+      lens.title += " (outdated)";
+    else if (const auto* duration = durationOf(*verdicts, of.front()->subject))
+      if (const auto text = durationText(*duration); !text.empty()) lens.title += " · " + text;
     if (summary.worst && summary.worst->steps) lens.property = summary.worst->name;
     result.push_back(std::move(lens));
   }

@@ -67,7 +67,7 @@ constexpr std::array kFieldValues{
     FieldValue{":within", Slot::Interval},
     FieldValue{":for", Slot::Interval},
     FieldValue{":lasting", Slot::Constant},
-    FieldValue{":fair", Slot::Interruptible},
+    FieldValue{":fair", Slot::Fair},
 };
 
 Place valueOf(const Item& keyword) {
@@ -101,7 +101,8 @@ Place inPattern(Items items) {
   std::size_t after = 0;
   if (lastKeyword(items, after)) return amongFields(items, WordKind::PatternField);
   if (head == "ltl" && items.size() == 1) return just(Slot::Temporal);
-  const std::size_t operands = isOneOf(head, {"leadsto", "precedes"}) ? 2 : 1;
+  const std::size_t operands =
+      isOneOf(head, {"leadsto", "precedes", "longest", "shortest"}) ? 2 : 1;
   if (items.size() <= operands && head != "deadlockfree") return just(Slot::Proposition);
   return field(WordKind::PatternField);
 }
@@ -133,7 +134,8 @@ Place inCondition(Items items, Slot outer) {
   if (findWord(WordKind::Arithmetic, head)) return just(Slot::Number);
   const bool inProperty = outer == Slot::Proposition || outer == Slot::Temporal;
   if (inProperty && findWord(WordKind::Observation, head)) return inObservation(items);
-  if (outer == Slot::Temporal && findWord(WordKind::Temporal, head)) return just(outer);
+  if (outer == Slot::Temporal && findWord(WordKind::Temporal, head)) // or a variable: `(F On)`
+    return just(outer, items.size() == 1 ? head : std::string_view());
   return items.size() == 1 ? just(Slot::VariableValue, head) : just(Slot::Nothing);
 }
 
@@ -266,6 +268,7 @@ std::optional<Place> withoutHead(Items items, Slot outer) {
   case Slot::Transitions: return just(Slot::TransitionList);
   case Slot::TransitionList: return just(items.size() < 2 ? Slot::Transition : Slot::Nothing);
   case Slot::ResourceList: return just(Slot::Resource);
+  case Slot::Fair: return just(Slot::Skill);
   case Slot::InputList: return inTagged(items, Slot::InputList, Slot::InputType);
   case Slot::PreconditionList: return inTagged(items, Slot::PreconditionList, Slot::Condition);
   case Slot::InvariantList: return inTagged(items, Slot::InvariantList, Slot::InvariantClause);

@@ -31,6 +31,7 @@ enum class Slot : std::uint8_t {
   ResourceList,
   Monitor,
   Interruptible,
+  Fair,        ///< `t`, `nil`, or a list of skills
   Effects,     ///< an effect or a list of effects
   EffectItem,  ///< an effect in a list
   EffectValue, ///< for the state variable `subject`

@@ -24,6 +24,17 @@ std::shared_ptr<const ProgramVerdicts> currentVerdicts(const Verdicts& all, cons
   return found->second;
 }
 
+const SkillDuration* durationOf(const ProgramVerdicts& verdicts, std::string_view skill) {
+  const auto found = std::ranges::find(verdicts.durations, skill, &SkillDuration::skill);
+  return found == verdicts.durations.end() ? nullptr : &*found;
+}
+
+bool mayTimeStop(const ProgramVerdicts& verdicts) {
+  return std::ranges::any_of(verdicts.properties, [](const PropertyVerdict& property) {
+    return property.kind == "time_progress" && property.bad();
+  });
+}
+
 std::vector<const PropertyVerdict*> verdictsOn(const ProgramVerdicts& verdicts,
                                                std::string_view subject) {
   std::vector<const PropertyVerdict*> result;

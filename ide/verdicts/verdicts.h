@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ide/snapshot/snapshot.h"
+#include "ide/verdicts/durations.h"
 #include "ide/verdicts/verification.h"
 
 #include <algorithm>
@@ -50,10 +51,14 @@ struct ProgramVerdicts {
   std::map<std::filesystem::path, std::int64_t> versions; ///< versions of the open texts
   std::vector<PropertyVerdict> properties;
   verify::Exploration exploration;
+  std::vector<SkillDuration> durations; ///< empty: not measured yet, or not asked for
+  bool isWhole = false;                 ///< about all properties, not only those of a request
 
   [[nodiscard]] bool anyPending() const {
     return std::ranges::any_of(properties, &PropertyVerdict::pending);
   }
+  /// Whether there is nothing left to verify.
+  [[nodiscard]] bool isComplete() const { return isWhole && !anyPending(); }
 };
 
 /// By path of the root file. Entries are immutable.
@@ -66,6 +71,13 @@ using Verdicts = std::map<std::filesystem::path, std::shared_ptr<const ProgramVe
 /// The verdicts on a program if they are current; otherwise null.
 [[nodiscard]] std::shared_ptr<const ProgramVerdicts> currentVerdicts(const Verdicts& all,
                                                                      const View& view);
+
+/// The duration of a skill; null if it is not known.
+[[nodiscard]] const SkillDuration* durationOf(const ProgramVerdicts& verdicts,
+                                              std::string_view skill);
+
+/// Whether it is known that time cannot always go on.
+[[nodiscard]] bool mayTimeStop(const ProgramVerdicts& verdicts);
 
 /// The verdicts about a skill, a state variable or a property of the program, in the order of the
 /// model.

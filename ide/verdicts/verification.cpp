@@ -1,5 +1,6 @@
 #include "ide/verdicts/verification.h"
 
+#include "ide/verdicts/times.h"
 #include "ide/verdicts/waits.h"
 #include "ide/verdicts/why.h"
 
@@ -94,8 +95,16 @@ VerdictRow row(const codegen::Check& check, verify::Answer answer, const codegen
   }
   result.steps = result.trace ? result.trace->steps.size() : answer.steps;
   result.reason = answer.reason;
+  if (answer.duration) {
+    const auto kind = model.fiacre.properties[check.property].pattern.kind;
+    result.time = measuredTime(*answer.duration, model.unit);
+    result.reason = timeText(check, kind, *result.time);
+    if (result.trace && result.time->bounded)
+      result.trace->summary = timeSummary(check, kind, *result.time);
+  }
   if (result.reason.empty() && isOfAllRuns(model, check))
     result.reason = "of all runs, fair or not";
+  if (result.reason.empty() && result.good()) result.reason = check.note;
   return result;
 }
 
@@ -107,7 +116,9 @@ bool isProgress(const codegen::Check& check) { return check.kind == "time_progre
 bool isBounded(const codegen::Model& model, const codegen::Check& check) {
   if (check.kind == "no_undershoot" || check.kind == "no_overshoot" || check.fair) return true;
   const auto& pattern = model.fiacre.properties[check.property].pattern;
-  return pattern.within || pattern.forInterval || pattern.lasting;
+  const bool asksForTime =
+      pattern.kind == fiacre::PatternKind::Longest || pattern.kind == fiacre::PatternKind::Shortest;
+  return asksForTime || pattern.within || pattern.forInterval || pattern.lasting;
 }
 
 /// The question whether time can always go on, if bounds are checked without it.
@@ -124,32 +135,35 @@ std::optional<verify::Question> progressBeside(const codegen::Model& model, cons
 constexpr std::string_view kOfRunsWithTime = "for runs in which time goes on";
 
 /// In a fair run, an action without a time limit ends eventually.
-std::string unlessForEver(const codegen::Model& model) {
+std::string unlessForEver(const codegen::Model& model, const codegen::Check& check) {
   constexpr std::size_t kMost = 3;
   std::set<std::string> names;
-  for (const auto& [_, name] : model.obliged) names.insert(name);
+  for (const auto& [process, of] : model.obliged)
+    if (!check.exempt.contains(process)) names.insert(of.description);
+  if (names.empty()) return "";
   if (names.size() > kMost)
     return fmt::format("unless one of {} actions and waits without a time limit never ends",
                        names.size());
   return fmt::format("unless {} never ends", fmt::join(names, " or "));
 }
 
+std::string ofRunsWithTime(verify::Truth progress) {
+  return fmt::format("{}: `program.time_progress` is {}", kOfRunsWithTime,
+                     progress == verify::Truth::False ? "violated" : "not decided");
+}
+
 /// Runs in which time stops violate no bound; says that they do not count.
 /// \param progress whether time can always go on
 void sayTimePasses(const codegen::Model& model, verify::Truth progress, VerdictRow& row) {
   if (row.verdict != Verdict::Holds || !isBounded(model, *row.check)) return;
-  switch (progress) {
-  case verify::Truth::True:
-    if (row.reason.starts_with(kOfRunsWithTime)) row.reason.clear();
-    if (row.check->fair && !model.obliged.empty()) row.reason = unlessForEver(model);
-    break;
-  case verify::Truth::False:
-    row.reason = fmt::format("{}: `program.time_progress` is violated", kOfRunsWithTime);
-    break;
-  case verify::Truth::Unknown:
-    row.reason = fmt::format("{}: `program.time_progress` is not decided", kOfRunsWithTime);
-    break;
+  if (const auto said = row.reason.find(kOfRunsWithTime); said != std::string::npos)
+    row.reason.erase(said < 2 ? 0 : said - 2);
+  if (progress == verify::Truth::True) {
+    if (row.check->fair) row.reason = unlessForEver(model, *row.check);
+    return;
   }
+  const auto note = ofRunsWithTime(progress);
+  row.reason = row.time ? fmt::format("{}, {}", row.reason, note) : note;
 }
 
 /// Index of the question whether time can go on; nullopt if it is not asked.
@@ -230,7 +244,7 @@ Asked askedOf(const codegen::Model& model, const std::vector<std::string>& names
   for (const auto& check : model.checks)
     if (selects(names, check)) {
       asked.checks.push_back(&check);
-      asked.questions.push_back({check.property, check.fair});
+      asked.questions.push_back({check.property, check.fair, check.exempt, check.rests});
     }
   return asked;
 }
@@ -276,6 +290,12 @@ verifyModel(const codegen::Model& model, const std::vector<std::string>& names,
   for (auto& each : report.rows)
     if (progressAt) sayTimePasses(model, progress, each);
   return report;
+}
+
+void noteOriginals(const analysis::Program& program, VerificationReport& report) {
+  analysis::ProgramOriginals originals(program);
+  for (auto& row : report.rows)
+    if (row.location) row.original = originals.of(*row.location);
 }
 
 } // namespace proskill::ide

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analysis/program/originals.h"
 #include "codegen/model.h"
 #include "verify/verify.h"
 
@@ -21,6 +22,8 @@ enum class Verdict : std::uint8_t { Holds, Violated, Reachable, Unreachable, Inc
 struct Moment {
   syntax::Rational seconds;
   bool strict = false;
+
+  bool operator==(const Moment&) const = default;
 };
 
 /// A step of a trace in the program's terms.
@@ -73,16 +76,28 @@ struct Trace {
   std::string summary;                  ///< what the trace shows, as a sentence
 };
 
+/// The answer to a property that asks for a time.
+struct MeasuredTime {
+  bool happens = false; ///< there is something to measure; otherwise nothing else is set
+  bool bounded = true;  ///< the longest time is finite
+  Moment value;         ///< strict: times come arbitrarily close to it, but none is equal
+
+  bool operator==(const MeasuredTime&) const = default;
+};
+
 /// The verdict on one property.
 struct VerdictRow {
   const codegen::Check* check = nullptr; ///< owned by the model
   Verdict verdict = Verdict::Inconclusive;
   std::optional<analysis::Location> location;
+  /// Of an imported program: the place in the other language; see noteOriginals.
+  std::optional<analysis::Original> original;
   std::optional<Trace> trace;
   /// Number of steps of its witness, also if the trace was not wanted.
   std::optional<std::size_t> steps;
-  std::string
-      reason; ///< why the verdict is inconclusive; otherwise what it depends on besides the model
+  std::string reason; ///< why the verdict is inconclusive; otherwise the time that was asked for,
+                      ///< or what the verdict depends on besides the model
+  std::optional<MeasuredTime> time; ///< if the property asks for one
 
   /// Whether the verdict is the expected one. An inconclusive verdict is neither good nor bad.
   [[nodiscard]] bool good() const;
@@ -93,6 +108,9 @@ struct VerificationReport {
   std::vector<VerdictRow> rows;
   verify::Exploration exploration;
 };
+
+/// Sets where the place of each property of an imported program comes from.
+void noteOriginals(const analysis::Program& program, VerificationReport& report);
 
 /// Whether a check is selected; an empty list selects all. A name selects the check with this name
 /// and all checks whose name continues it after a dot: `takeoff`, `takeoff.can_succeed`,

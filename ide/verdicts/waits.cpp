@@ -1,6 +1,7 @@
 #include "ide/verdicts/waits.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <string_view>
@@ -29,12 +30,42 @@ std::string waitText(const fiacre::Origin& next) {
   return fmt::format("`{}` waits until it {}", next.actor, step);
 }
 
+using fiacre::Ground;
+
+/// ", which `brush` and `scan` have"; empty if nobody has the resource.
+std::string holdersText(const verify::Wait& wait, const fiacre::Origin& next,
+                        const std::string& resource) {
+  std::vector<std::string> holders;
+  for (const auto index : wait.grounds) {
+    const auto& ground = next.grounds[index];
+    if (ground.kind == Ground::Kind::Holder && ground.variable == resource)
+      holders.push_back("`" + ground.text + "`");
+  }
+  if (holders.empty()) return {};
+  return fmt::format(", which {} {}", fmt::join(holders, " and "),
+                     holders.size() == 1 ? "has" : "have");
+}
+
+/// "`drive` waits for the resource `wheels`, which `brush` has": a skill that cannot start.
+std::string needText(const verify::Wait& wait, const fiacre::Origin& next) {
+  std::vector<std::string> needs;
+  for (const auto index : wait.grounds)
+    if (const auto& ground = next.grounds[index]; ground.kind == Ground::Kind::Need)
+      needs.push_back(ground.text + (ground.variable.empty()
+                                         ? std::string()
+                                         : holdersText(wait, next, ground.variable)));
+  return fmt::format("`{}` waits for {}", next.actor, fmt::join(needs, ", and for "));
+}
+
 } // namespace
 
-std::string waitsText(const std::vector<fiacre::OriginId>& waits, const codegen::Model& model) {
+std::string waitsText(const std::vector<verify::Wait>& waits, const codegen::Model& model) {
   std::string text;
-  for (std::size_t i = 0; i < waits.size() && i < kMost; ++i)
-    text += (i == 0 ? "" : "; ") + waitText(model.provenance.origins[waits[i]]);
+  for (std::size_t i = 0; i < waits.size() && i < kMost; ++i) {
+    const auto& next = model.provenance.origins[waits[i].origin];
+    text += i == 0 ? "" : "; ";
+    text += waits[i].grounds.empty() ? waitText(next) : needText(waits[i], next);
+  }
   if (waits.size() > kMost) text += fmt::format("; and {} more", waits.size() - kMost);
   return text;
 }

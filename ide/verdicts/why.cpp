@@ -1,5 +1,7 @@
 #include "ide/verdicts/why.h"
 
+#include "syntax/text/seconds.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,7 +35,8 @@ std::string withValues(const std::string& sum, const std::vector<Support>& suppo
   std::string text;
   for (std::size_t i = 0; i < sum.size();) {
     auto end = i;
-    while (end < sum.size() && (isWord(sum[end]) || (end > i && sum[end] == '-'))) ++end;
+    const auto joins = [&](char c) { return c == '-' || c == '.'; };
+    while (end < sum.size() && (isWord(sum[end]) || (end > i && joins(sum[end])))) ++end;
     const auto word = sum.substr(i, std::max(end, i + 1) - i);
     const auto found = std::ranges::find(support, word, &Support::variable);
     text += found == support.end() ? word : found->value;
@@ -63,13 +66,10 @@ private:
       if ((value.value != 0) == ground.expected) addCondition(value, ground);
       return;
     case Ground::Kind::Value: return addValue(value, ground);
-    case Ground::Kind::Move:
-      for (const auto& each : value.support)
-        if (each.variable == ground.variable)
-          say(fmt::format("`{}` is {}{}: no transition leads from there to {}", each.variable,
-                          each.value, sinceText(each.since), ground.text));
-      return;
+    case Ground::Kind::Move: return addMove(value, ground);
     case Ground::Kind::Cause: return addCauses(index, value);
+    case Ground::Kind::Need:
+    case Ground::Kind::Holder: return;
     }
   }
 
@@ -78,6 +78,17 @@ private:
     if (ground.text.empty()) return say(support);
     say(fmt::format("{} is {}{}", ground.text, ground.expected ? "true" : "false",
                     support.empty() ? "" : fmt::format(" ({})", support)));
+  }
+
+  /// `lift` is Away since step 3: no transition leads from there to Here.
+  void addMove(const verify::GroundValue& value, const Ground& ground) {
+    auto target = ground.text; // a value, or the input that has it
+    for (const auto& each : value.support)
+      if (each.variable != ground.variable && each.variable == ground.text) target = each.value;
+    for (const auto& each : value.support)
+      if (each.variable == ground.variable)
+        say(fmt::format("`{}` is {}{}: no transition leads from there to {}", each.variable,
+                        each.value, sinceText(each.since), target));
   }
 
   /// `energy` 1 − 2 = −1 is below `:min` 0.
@@ -136,14 +147,14 @@ private:
 
 /// "In step 15, at 4 s,".
 std::string whenText(const Trace& trace, std::size_t number) {
-  return fmt::format("in step {}, at {} s,", number,
-                     syntax::toString(trace.steps[number - 1].date));
+  return fmt::format("in step {}, at {},", number,
+                     syntax::secondsText(trace.steps[number - 1].date));
 }
 
 std::string afterText(const Trace& trace) {
   if (trace.steps.empty()) return "at the start";
-  return fmt::format("after step {}, at {} s,", trace.steps.size(),
-                     syntax::toString(trace.steps.back().date));
+  return fmt::format("after step {}, at {},", trace.steps.size(),
+                     syntax::secondsText(trace.steps.back().date));
 }
 
 /// The step and its reason.
@@ -182,12 +193,15 @@ bool isRunPattern(const codegen::Check& check, const codegen::Model& model) {
   case PatternKind::Always:
   case PatternKind::DeadlockFree:
   case PatternKind::Progress:
-  case PatternKind::NoError: return pattern.after || pattern.before || pattern.within;
+  case PatternKind::NoError:
+  case PatternKind::AlwaysReachable: return pattern.after || pattern.before || pattern.within;
   case PatternKind::InfinitelyOften:
   case PatternKind::Mortal:
   case PatternKind::Present:
   case PatternKind::LeadsTo:
   case PatternKind::Precedes:
+  case PatternKind::Longest:
+  case PatternKind::Shortest:
   case PatternKind::Ltl: return true;
   }
   return true;
@@ -202,14 +216,17 @@ std::string sentence(std::string text) {
 /// drive)`". For other properties the description.
 std::string failureText(const codegen::Check& check, const codegen::Model& model) {
   using fiacre::PatternKind;
-  const auto kind = model.fiacre.properties[check.property].pattern.kind;
+  const auto& pattern = model.fiacre.properties[check.property].pattern;
+  const auto kind = pattern.kind;
   const auto operand = [&](std::size_t i) { return "`" + check.operands[i] + "`"; };
-  if (check.operands.size() == 2 && kind == PatternKind::LeadsTo)
+  const bool follows = kind == PatternKind::LeadsTo || fiacre::asksForTime(kind);
+  if (check.operands.size() == 2 && follows)
     return fmt::format("{} does not follow {}", operand(1), operand(0));
   if (check.operands.size() == 2 && kind == PatternKind::Precedes)
     return fmt::format("{} becomes true without {} before it", operand(1), operand(0));
   if (check.operands.size() == 1) {
-    if (kind == PatternKind::Present) return operand(0) + " does not become true";
+    if (kind == PatternKind::Present && !pattern.before && !pattern.after)
+      return operand(0) + " does not become true";
     if (kind == PatternKind::InfinitelyOften) return operand(0) + " does not become true again";
     if (kind == PatternKind::Always) return operand(0) + " is false";
     if (kind == PatternKind::Absent)
@@ -226,6 +243,15 @@ bool waitsForSomething(const codegen::Check& check, const codegen::Model& model)
          kind != PatternKind::Precedes;
 }
 
+/// The end of a run from which a condition cannot become true any more.
+std::string lostText(const codegen::Check& check, const Trace& trace) {
+  const auto wanted = check.operands.empty() ? check.description : "`" + check.operands[0] + "`";
+  const auto until =
+      trace.end ? fmt::format(" if nothing else happens until {},", syntax::secondsText(*trace.end))
+                : "";
+  return fmt::format("{}{} {} can never become true any more", afterText(trace), until, wanted);
+}
+
 /// A violation that only the run as a whole shows.
 std::string runText(const codegen::Check& check, const codegen::Model& model, const Trace& trace) {
   const auto failure = failureText(check, model);
@@ -236,8 +262,8 @@ std::string runText(const codegen::Check& check, const codegen::Model& model, co
   if (waits && trace.rest == verify::Rest::Allowed)
     return fmt::format("{} nothing has to happen any more: {}", afterText(trace), failure);
   if (trace.end)
-    return fmt::format("{} nothing else has to happen until {} s: {}", afterText(trace),
-                       syntax::toString(*trace.end), failure);
+    return fmt::format("{} nothing else has to happen until {}: {}", afterText(trace),
+                       syntax::secondsText(*trace.end), failure);
   return fmt::format("{} {}", afterText(trace), failure);
 }
 
@@ -259,6 +285,8 @@ std::string summaryOf(const codegen::Check& check, const codegen::Model& model, 
     if (trace.loop) return sentence(repeatText(trace) + ", and no time passes");
     return sentence(afterText(trace) + " time can never pass again");
   }
+  const auto asked = model.fiacre.properties[check.property].pattern.kind;
+  if (asked == fiacre::PatternKind::AlwaysReachable) return sentence(lostText(check, trace));
   if (isRunPattern(check, model)) return sentence(runText(check, model, trace));
   if (!support.empty()) {
     const bool isFound = check.good == codegen::Expectation::Reachable;

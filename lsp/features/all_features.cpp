@@ -7,9 +7,10 @@ namespace proskill::lsp {
 
 Registry allFeatures() {
   Registry registry;
-  for (auto add : {addActions, addAutomaton, addCompletion, addDiagnostics, addExplain,
-                   addFormatting, addHierarchy, addHints, addHover, addLenses, addModel,
-                   addNavigation, addRename, addSimulation, addStructure, addSymbols, addTokens})
+  for (auto add :
+       {addActions, addAutomaton, addCompletion, addDiagnostics, addExplain, addFormatting,
+        addHierarchy, addHints, addHover, addLenses, addModel, addNavigation, addRecording,
+        addRename, addSimulation, addStructure, addSymbols, addTokens})
     add(registry);
   addFiacre(registry);
   return registry;

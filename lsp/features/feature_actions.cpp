@@ -61,7 +61,10 @@ Json actionJson(const ide::Action& action, const Request& request) {
   if (action.fixes) {
     const Converter convert(action.owner->program, request.snapshot.open(),
                             request.client.encoding);
-    const auto diagnostic = diagnosticJson({action.owner, action.fixes}, convert, request.client);
+    const auto original =
+        analysis::ProgramOriginals(action.owner->program).of(action.fixes->location);
+    const auto diagnostic =
+        diagnosticJson({action.owner, action.fixes}, convert, request.client, original);
     json["diagnostics"] =
         Json::array({Json::parse(rpc::dump(diagnostic))}); // `resolve` compares it
   }
@@ -126,8 +129,7 @@ Answer resolveAction(const Request& request) {
     resolved["edit"] = workspaceEdit(action, request);
     return resolved;
   }
-  return std::unexpected(
-      rpc::RpcError{rpc::ErrorCode::RequestFailed, "this action is no longer possible here"});
+  return std::unexpected(requestFailed("this action is no longer possible here"));
 }
 
 } // namespace

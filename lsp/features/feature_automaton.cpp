@@ -17,6 +17,8 @@ viz::Request pictureOf(const syntax::Form& form) {
   using viz::Kind;
   if (const auto* variable = form.as<syntax::StateVariable>())
     return {Kind::StateVariable, std::string(variable->name.text), false};
+  if (const auto* event = form.as<syntax::Event>(); event && (event->every || event->guard))
+    return {Kind::Event, std::string(event->name.text), false};
   if (const auto* skill = form.as<syntax::Skill>())
     return {skill->isComposite() ? Kind::Body : Kind::Skill, std::string(skill->name.text), false};
   if (const auto* environment = form.as<syntax::Environment>())
@@ -36,8 +38,7 @@ std::expected<viz::Request, rpc::RpcError> pictureOf(const analysis::Program& pr
   for (const auto& file : program.files)
     for (const auto& form : file.document.forms())
       if (auto picture = pictureOf(form); picture.name == name) return picture;
-  return std::unexpected(
-      rpc::RpcError{rpc::ErrorCode::RequestFailed, "nothing is called `" + name + "`"});
+  return std::unexpected(requestFailed("nothing is called `" + name + "`"));
 }
 
 std::expected<viz::Request, rpc::RpcError> pictureNamed(const analysis::Program& program,
@@ -48,7 +49,8 @@ std::expected<viz::Request, rpc::RpcError> pictureNamed(const analysis::Program&
     return pictureOf(program, name.get_ref<const std::string&>());
   const auto known =
       kind.is_string() ? viz::kindOf(kind.get_ref<const std::string&>()) : std::nullopt;
-  if (!known) return std::unexpected(invalidParams("`kind` must be sv, skill, body or calls"));
+  if (!known)
+    return std::unexpected(invalidParams("`kind` must be sv, event, skill, body or calls"));
   if (!name.is_string()) return std::unexpected(invalidParams("`name` must be a string"));
   return viz::Request{*known, name.get<std::string>(), false};
 }
@@ -107,8 +109,7 @@ std::expected<std::string, rpc::RpcError> contentOf(const viz::Graph& graph, con
     return std::unexpected(invalidParams("`format` must be svg, dot or json"));
   const auto scheme = params.value("dark", Json()) == true ? viz::Scheme::Dark : viz::Scheme::Light;
   auto content = viz::render(graph, format == "svg" ? viz::Format::Svg : viz::Format::Dot, scheme);
-  if (!content)
-    return std::unexpected(rpc::RpcError{rpc::ErrorCode::RequestFailed, content.error()});
+  if (!content) return std::unexpected(requestFailed(content.error()));
   return std::move(*content);
 }
 
@@ -128,7 +129,7 @@ Answer automaton(const Request& request) {
   if (!picture) return std::unexpected(picture.error());
   picture->forbidden = request.params.value("forbidden", Json()) == true;
   auto drawn = report::drawPicture(view.program(), *picture, foldKeys(request.params));
-  if (!drawn) return std::unexpected(rpc::RpcError{rpc::ErrorCode::RequestFailed, drawn.error()});
+  if (!drawn) return std::unexpected(requestFailed(drawn.error()));
   if (request.cancellation.isCancelled())
     return std::unexpected(rpc::RpcError{rpc::ErrorCode::RequestCancelled, "cancelled"});
   const auto& graph = drawn->folded.graph;

@@ -72,6 +72,9 @@ Json itemJson(const ide::Completion& item, std::size_t place, const Shared& shar
   writeEdit(json, item, shared);
   if (!item.detail.empty()) json.member("detail", item.detail);
   if (isSnippet(item, shared)) json.member("insertTextFormat", protocol::InsertTextFormat::Snippet);
+  // the indentation is that of the formatter, whatever the line's
+  if (shared.client.insertTextModes && isSnippet(item, shared) && item.snippet.contains('\n'))
+    json.member("insertTextMode", protocol::InsertTextMode::AsIs);
   if (item.isDeprecated && shared.client.completionTags)
     json.key("tags").open('[').value(protocol::CompletionItemTag::Deprecated).close(']');
   else if (item.isDeprecated && shared.client.completionDeprecated)

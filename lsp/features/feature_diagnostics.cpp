@@ -52,8 +52,9 @@ void writeCode(rpc::JsonWriter& json, std::string_view code, const ClientFeature
 }
 
 void writeRelated(rpc::JsonWriter& json, const syntax::Diagnostic& diagnostic,
-                  const Converter& convert) {
+                  const std::optional<analysis::Original>& original, const Converter& convert) {
   json.key("relatedInformation").open('[');
+  if (original) json.value(relatedOriginal(*original));
   for (const auto& entry : diagnostic.related) {
     if (!convert.isShown(entry.location.file)) continue;
     convert.write(json.open('{').key("location"), entry.location);
@@ -154,7 +155,8 @@ Answer workspaceDiagnostics(const Request& request) {
 } // namespace
 
 Json diagnosticJson(const ide::Finding& finding, const Converter& convert,
-                    const ClientFeatures& client) {
+                    const ClientFeatures& client,
+                    const std::optional<analysis::Original>& original) {
   const auto& diagnostic = *finding.diagnostic;
   rpc::JsonWriter json;
   convert.write(json.open('{').key("range"), diagnostic.location.file, diagnostic.location.range);
@@ -164,8 +166,8 @@ Json diagnosticJson(const ide::Finding& finding, const Converter& convert,
   json.member("message", diagnostic.message);
   if (const auto tag = tagOf(diagnostic.code); client.diagnosticTags && tag)
     json.key("tags").open('[').value(*tag).close(']');
-  if (client.relatedInformation && !diagnostic.related.empty())
-    writeRelated(json, diagnostic, convert);
+  if (client.relatedInformation && (original || !diagnostic.related.empty()))
+    writeRelated(json, diagnostic, original, convert);
   if (!diagnostic.fixes.empty()) writeFixes(json, diagnostic, convert);
   return rpc::written(json.close('}').str());
 }
@@ -173,10 +175,14 @@ Json diagnosticJson(const ide::Finding& finding, const Converter& convert,
 Json diagnosticsOf(const ide::Snapshot& snapshot, const std::filesystem::path& path,
                    const ClientFeatures& client, const ide::Verdicts& verdicts) {
   Json result = Json::array();
+  std::map<const analysis::Program*, analysis::ProgramOriginals> known;
   for (const auto& finding : ide::diagnostics(snapshot, path)) {
     analysis::stopIfAsked();
-    const Converter convert(finding.owner->program, snapshot.open(), client.encoding);
-    result.push_back(diagnosticJson(finding, convert, client));
+    const auto& program = finding.owner->program;
+    const Converter convert(program, snapshot.open(), client.encoding);
+    auto& originals = known.try_emplace(&program, program).first->second;
+    const auto original = originals.of(finding.diagnostic->location);
+    result.push_back(diagnosticJson(finding, convert, client, original));
   }
   for (auto& verdict : verdictDiagnostics(verdicts, snapshot, path, client))
     result.push_back(std::move(verdict));

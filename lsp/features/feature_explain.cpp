@@ -1,5 +1,6 @@
 #include "ide/description/explanation.h"
 #include "lsp/features/explain.h"
+#include "lsp/protocol/convert.h"
 
 #include <fmt/format.h>
 
@@ -10,9 +11,7 @@ Answer explain(const Json& code) {
     return std::unexpected(rpc::RpcError{rpc::ErrorCode::InvalidParams, "`code` is missing"});
   const auto& id = code.get_ref<const std::string&>();
   const auto* found = syntax::findCode(id);
-  if (!found)
-    return std::unexpected(
-        rpc::RpcError{rpc::ErrorCode::RequestFailed, fmt::format("there is no code `{}`", id)});
+  if (!found) return std::unexpected(requestFailed(fmt::format("there is no code `{}`", id)));
   const auto text = ide::explanation(*found);
   return Json{{"code", found->id},
               {"title", ide::titleOf(*found)},

@@ -87,7 +87,7 @@ Answer prepareRename(const Request& request) {
   auto at = cursor(request);
   if (!at) return std::unexpected(at.error());
   const auto found = ide::renameableInFiacre(at->view.text(), at->at);
-  if (!found) return std::unexpected(rpc::RpcError{rpc::ErrorCode::RequestFailed, found.error()});
+  if (!found) return std::unexpected(requestFailed(found.error()));
   return Json{{"range", Converter(at->view, request).range(at->view.file, *found)},
               {"placeholder", at->view.text().substr(found->begin, found->end - found->begin)}};
 }
@@ -98,7 +98,7 @@ Answer rename(const Request& request) {
   const auto name = textIn(request.params, "newName");
   if (!name) return std::unexpected(name.error());
   auto places = ide::renameInFiacre(at->view.text(), at->at, *name);
-  if (!places) return std::unexpected(rpc::RpcError{rpc::ErrorCode::RequestFailed, places.error()});
+  if (!places) return std::unexpected(requestFailed(places.error()));
   const auto& path = at->view.program().files[at->view.file].path;
   return workspaceEdit({{path, std::move(*places)}}, *name, request);
 }
@@ -147,8 +147,7 @@ Answer rangeFormatting(const Request& request) {
 Answer nothing(const Request& /*request*/) { return nullptr; }
 
 Answer noProgram(const Request& /*request*/) {
-  return std::unexpected(
-      rpc::RpcError{rpc::ErrorCode::RequestFailed, "not supported for Fiacre models"});
+  return std::unexpected(requestFailed("not supported for Fiacre models"));
 }
 
 bool isInFiacre(const Request& request) {
@@ -190,6 +189,7 @@ const std::map<std::string, Handler, std::less<>>& handlers() {
       {"proskill/automaton", noProgram},
       {"proskill/explain", noProgram},
       {"proskill/model", noProgram},
+      {"proskill/recording", nullptr},
       {"proskill/simulate", nullptr},
       {"proskill/tests", noProgram},
       {"proskill/trace", nullptr},

@@ -10,7 +10,7 @@ namespace {
 Answer hover(const Request& request) {
   auto at = cursor(request);
   if (!at) return std::unexpected(at.error());
-  auto found = ide::hover(at->view, at->at);
+  auto found = ide::hover(at->view, at->at, *request.verdicts);
   if (!found) return nullptr;
   const Converter convert(at->view, request);
   return Json{{"contents", markupContent(found->text, request.client.markdownHover)},

@@ -68,7 +68,7 @@ Answer model(const Request& request) {
                                          "`edition` must be compact, expanded or runtime"});
   const auto view = request.snapshot.view(*path);
   const auto made = modelOf(view, *edition);
-  if (!made) return std::unexpected(rpc::RpcError{rpc::ErrorCode::RequestFailed, made.error()});
+  if (!made) return std::unexpected(requestFailed(made.error()));
   const auto printed = fiacre::printWithRanges(made->fiacre);
   const Converter convert(view, request);
   return Json{{"text", printed.text},

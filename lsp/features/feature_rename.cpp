@@ -7,13 +7,11 @@ namespace proskill::lsp {
 
 namespace {
 
-rpc::RpcError refused(std::string why) { return {rpc::ErrorCode::RequestFailed, std::move(why)}; }
-
 Answer prepareRename(const Request& request) {
   auto at = cursor(request);
   if (!at) return std::unexpected(at.error());
   auto found = ide::renameable(at->view, at->at);
-  if (!found) return std::unexpected(refused(found.error()));
+  if (!found) return std::unexpected(requestFailed(found.error()));
   const Converter convert(at->view, request);
   return Json{{"range", convert.range(found->at)},
               {"placeholder", at->view.index().symbols()[found->symbol].name}};
@@ -25,7 +23,7 @@ Answer rename(const Request& request) {
   auto name = textIn(request.params, "newName");
   if (!name) return std::unexpected(name.error());
   auto plan = ide::rename(request.snapshot, at->view, at->at, *name);
-  if (!plan) return std::unexpected(refused(plan.error()));
+  if (!plan) return std::unexpected(requestFailed(plan.error()));
   return workspaceEdit(plan->places, plan->text, request);
 }
 

@@ -15,8 +15,6 @@ namespace proskill::lsp {
 
 namespace {
 
-rpc::RpcError failed(std::string why) { return {rpc::ErrorCode::RequestFailed, std::move(why)}; }
-
 std::expected<ide::SimulatedRun, std::string> begin(const ide::View& view,
                                                     const std::string& mainSkill) {
   if (ide::isFiacre(view)) return std::unexpected("only programs can be simulated");
@@ -41,7 +39,7 @@ public:
     const auto view = request.snapshot.view(*path);
     const std::lock_guard lock(mutex);
     auto run = runOf(view, asked->mainSkill);
-    if (!run) return std::unexpected(failed(run.error()));
+    if (!run) return std::unexpected(requestFailed(run.error()));
     const auto missing = (*run)->follow(asked->steps);
     return toClient(report::simulationJson(view.program(), **run, *asked, missing), view, request);
   }

@@ -12,10 +12,6 @@ namespace proskill::lsp {
 
 namespace {
 
-rpc::RpcError failed(std::string message) {
-  return {rpc::ErrorCode::RequestFailed, std::move(message)};
-}
-
 /// The first program of a file, open or not.
 std::expected<ide::View, rpc::RpcError> programOf(const Request& request) {
   auto path = documentFile(request);
@@ -34,11 +30,11 @@ std::vector<std::string> namesIn(const Json& params) {
 
 std::optional<rpc::RpcError> whyNot(const ide::View& view) {
   if (ide::isFiacre(view) && !ide::FiacreText(view.text()).model())
-    return failed("the text names no model");
+    return requestFailed("the text names no model");
   const auto& found = ide::isFiacre(view) ? view.owner->findings() : view.analysis().diagnostics;
   for (const auto& diagnostic : found)
     if (diagnostic.severity == syntax::Severity::Error)
-      return failed("the program has errors: " + diagnostic.message);
+      return requestFailed("the program has errors: " + diagnostic.message);
   return std::nullopt;
 }
 
@@ -67,7 +63,7 @@ Answer Verification::verifyRequested(const Request& request) {
   const auto chosen = settingsNow();
   if (!chosen.trusted)
     return std::unexpected(
-        failed("the workspace is not trusted: nothing is verified, only static checks run"));
+        requestFailed("the workspace is not trusted: nothing is verified, only static checks run"));
   auto view = programOf(request);
   if (!view) return std::unexpected(view.error());
   if (auto error = whyNot(*view)) return std::unexpected(*error);
@@ -81,16 +77,16 @@ Answer Verification::verifyRequested(const Request& request) {
                            const Json& params) { outside.send(rpc::notification(method, params)); },
                     request.params.value("workDoneToken", Json()), nullptr);
   workDone.begin("Verifying " + view->program().files.front().path.filename().string());
-  board.set(view->owner, VerificationState::Checking);
+  store.set(view->owner, VerificationState::Checking);
   auto verified =
       run(view->owner, open, job, limits, request.cancellation, [&](const auto& progress) {
         workDone.report(wordsOf(progress), percentageOf(progress));
-        board.setProgress(view->owner, progress);
+        store.setProgress(view->owner, progress);
       });
   if (!verified) {
     const auto& failure = verified.error();
     workDone.end(failure.message);
-    board.set(view->owner,
+    store.set(view->owner,
               failure.cancelled ? VerificationState::Waiting : VerificationState::Failed,
               failure.cancelled ? "cancelled" : failure.message);
     return std::unexpected(rpc::RpcError{failure.cancelled ? rpc::ErrorCode::RequestCancelled
@@ -130,14 +126,14 @@ Answer Verification::traceRequested(const Request& request) {
   if (!view) return std::unexpected(view.error());
   const auto wanted = textIn(request.params, "name");
   if (!wanted) return std::unexpected(wanted.error());
-  const auto state = board.of(view->program().files.front().path);
+  const auto state = store.of(view->program().files.front().path);
   if (!state || !state->verified)
-    return std::unexpected(failed("the program has not been verified yet"));
+    return std::unexpected(requestFailed("the program has not been verified yet"));
   Verified known = *state->verified;
   const auto& all = known.verdicts->properties;
   const auto property = std::ranges::find(all, *wanted, &ide::PropertyVerdict::name);
   if (property == all.end() || !property->steps)
-    return std::unexpected(failed(fmt::format("there is no trace of `{}`", *wanted)));
+    return std::unexpected(requestFailed(fmt::format("there is no trace of `{}`", *wanted)));
   if (!known.traces.contains(*wanted)) {
     auto found = findTrace(known, *wanted, request);
     if (!found)

@@ -56,6 +56,11 @@ bool asksForDiagnostics(const Json& capabilities, const Json& name) {
          name != "Neovim";
 }
 
+VerdictNews verdictNewsOf(const Json& wish) {
+  if (wish == "changes") return VerdictNews::Changes;
+  return wish == "all" ? VerdictNews::All : VerdictNews::None;
+}
+
 } // namespace
 
 ClientFeatures readClientFeatures(const Json& capabilities, const Json& name) {
@@ -70,6 +75,7 @@ ClientFeatures readClientFeatures(const Json& capabilities, const Json& name) {
   client.workDoneProgress = isTrue(capabilities, {"window", "workDoneProgress"});
   const auto& item = rpc::memberAt(capabilities, {"textDocument", "completion", "completionItem"});
   client.snippets = isTrue(item, {"snippetSupport"});
+  client.insertTextModes = rpc::memberAt(item, {"insertTextModeSupport"}).is_object();
   client.insertReplace = isTrue(item, {"insertReplaceSupport"});
   client.completionTags = rpc::memberAt(item, {"tagSupport"}).is_object();
   client.completionDeprecated = isTrue(item, {"deprecatedSupport"});
@@ -96,7 +102,7 @@ ClientFeatures readClientFeatures(const Json& capabilities, const Json& name) {
   client.configuration = isTrue(capabilities, {"workspace", "configuration"});
   client.dynamicConfiguration =
       isTrue(capabilities, {"workspace", "didChangeConfiguration", "dynamicRegistration"});
-  client.verdictChanges = isTrue(capabilities, {"experimental", "verdictChanges"});
+  client.verdictNews = verdictNewsOf(rpc::memberAt(capabilities, {"experimental", "verdicts"}));
   client.retried = strings(
       rpc::memberAt(capabilities, {"general", "staleRequestSupport", "retryOnContentModified"}));
   client.resolvedOfHints = strings(

@@ -10,6 +10,13 @@
 
 namespace proskill::lsp {
 
+/// Which verdicts a client receives by `proskill/verdicts`: its capability `experimental.verdicts`.
+enum class VerdictNews : std::uint8_t {
+  None,    ///< no notifications: it may not know this extension of the protocol
+  All,     ///< all verdicts of the program: "all"
+  Changes, ///< those that have changed since the last notification: "changes"
+};
+
 /// The capabilities of the client that the server uses.
 struct ClientFeatures {
   syntax::Encoding encoding = syntax::Encoding::Utf16;
@@ -18,7 +25,8 @@ struct ClientFeatures {
   bool watchedFiles = false; ///< may be registered dynamically
   bool workDoneProgress = false;
   bool snippets = false;
-  bool insertReplace = false; ///< completions may have separate ranges for insert and replace
+  bool insertTextModes = false; ///< of snippets that say how their lines are indented
+  bool insertReplace = false;   ///< completions may have separate ranges for insert and replace
   bool completionTags = false;
   bool completionDeprecated = false; ///< the older way to mark completions as deprecated
   bool markdownCompletion = false;   ///< in the documentation of completions
@@ -35,8 +43,7 @@ struct ClientFeatures {
   std::shared_ptr<const Manual> manual;
   bool configuration = false;        ///< can be asked for its settings
   bool dynamicConfiguration = false; ///< notifies about changes of its settings
-  /// It accepts a `proskill/verdicts` with only the changed ones: `experimental.verdictChanges`.
-  bool verdictChanges = false;
+  VerdictNews verdictNews = VerdictNews::None;
   /// Methods that it repeats if a request was rejected because the text has changed.
   std::set<std::string> retried;
   /// Members of inlay hints that it resolves later: `label.location`.

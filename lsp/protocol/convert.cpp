@@ -21,6 +21,10 @@ rpc::RpcError invalidParams(std::string message) {
   return {rpc::ErrorCode::InvalidParams, std::move(message)};
 }
 
+rpc::RpcError requestFailed(std::string message) {
+  return {rpc::ErrorCode::RequestFailed, std::move(message)};
+}
+
 Json Converter::position(analysis::FileId file, syntax::Offset at) const {
   const auto& document = program.files[file].document;
   auto position = syntax::toEditor(document.text(), document.lines(), at, encoding, line);

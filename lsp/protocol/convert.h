@@ -41,6 +41,7 @@ private:
 };
 
 [[nodiscard]] rpc::RpcError invalidParams(std::string message);
+[[nodiscard]] rpc::RpcError requestFailed(std::string message);
 
 /// The path of the text in `textDocument`. A URI with another scheme gets a path that no file has.
 [[nodiscard]] std::expected<std::filesystem::path, rpc::RpcError> documentPath(const Json& params);

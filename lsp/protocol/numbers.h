@@ -64,6 +64,11 @@ enum class InsertTextFormat : int {
   Snippet = 2,
 };
 
+enum class InsertTextMode : int {
+  AsIs = 1,
+  AdjustIndentation = 2,
+};
+
 enum class MessageType : int {
   Error = 1,
   Warning = 2,

@@ -63,6 +63,7 @@ void addModel(Registry& registry);
 void addStructure(Registry& registry);
 void addTokens(Registry& registry);
 void addNavigation(Registry& registry);
+void addRecording(Registry& registry);
 void addRename(Registry& registry);
 void addSimulation(Registry& registry);
 void addSymbols(Registry& registry);

@@ -1,16 +1,19 @@
 #pragma once
 
+#include "lsp/server/thread_clock.h"
+
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
 
 namespace proskill::lsp {
 
-/// The duration of the last round of diagnostics. If it was very short, the next round need not
-/// wait for a pause in typing. A round that an edit cancelled does not count as short.
+/// The cost of the last round of diagnostics. If it was very low, the next round need not wait for
+/// a pause in typing. A round that an edit cancelled does not count as quick. Costs are processor
+/// times, since on a busy machine a wait would only add to the delay.
 class Pace {
 public:
-  using Duration = std::chrono::steady_clock::duration;
+  using Duration = ThreadClock::duration;
 
   /// A delay that a user does not notice.
   static constexpr std::chrono::milliseconds kUnnoticed{5};

@@ -86,7 +86,7 @@ bool Publisher::isTold(const Path& path, const Told& now) {
          std::ranges::equal(last.owners, now.owners, isSame<Owners::value_type>);
 }
 
-/// \param took without the time that others took
+/// \param took of this thread
 void Publisher::finish(std::uint64_t asked, Pace::Duration took) {
   const std::lock_guard lock(mutex);
   pace.finish(asked, took);
@@ -95,15 +95,14 @@ void Publisher::finish(std::uint64_t asked, Pace::Duration took) {
 void Publisher::publish(const ide::Snapshot& snapshot, const Path& path, std::uint64_t asked) {
   const auto& text = snapshot.open().at(path);
   try {
-    auto start = std::chrono::steady_clock::now();
+    const auto start = std::chrono::steady_clock::now();
+    const auto began = ThreadClock::now();
     Told now{text.uri, text.version, {}, verdicts(), true};
     for (const auto& view : snapshot.views(path)) now.owners.emplace_back(view.owner);
-    const auto viewed = std::chrono::steady_clock::now();
-    if (isTold(path, now)) return finish(asked, viewed - start);
+    if (isTold(path, now)) return finish(asked, ThreadClock::now() - began);
     scheduler.giveWay();
-    const auto free = std::chrono::steady_clock::now();
     auto list = diagnosticsOf(snapshot, path, client, *now.verdicts);
-    finish(asked, (viewed - start) + (std::chrono::steady_clock::now() - free));
+    finish(asked, ThreadClock::now() - began);
     std::unique_lock lock(mutex);
     if (asked != revision) return;
     peer.notify(kMethod,

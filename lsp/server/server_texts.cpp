@@ -1,5 +1,7 @@
 #include "lsp/server/server.h"
 
+#include "lsp/protocol/convert.h"
+
 #include <fmt/format.h>
 
 namespace proskill::lsp {

@@ -8,7 +8,7 @@ namespace proskill::lsp {
 
 namespace {
 
-Json rangeOf(const SettingsMistake& mistake, syntax::Encoding encoding) {
+Json rangeOf(const report::SettingsMistake& mistake, syntax::Encoding encoding) {
   const syntax::LineIndex lines(mistake.text);
   auto position = [&](syntax::Offset at) {
     const auto [line, character] = syntax::toEditor(mistake.text, lines, at, encoding);
@@ -17,7 +17,7 @@ Json rangeOf(const SettingsMistake& mistake, syntax::Encoding encoding) {
   return {{"start", position(mistake.at.begin)}, {"end", position(mistake.at.end)}};
 }
 
-Json diagnosticOf(const SettingsMistake& mistake, syntax::Encoding encoding) {
+Json diagnosticOf(const report::SettingsMistake& mistake, syntax::Encoding encoding) {
   return {{"range", rangeOf(mistake, encoding)},
           {"severity", protocol::DiagnosticSeverity::Error},
           {"source", "proskill"},

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lsp/protocol/client.h"
-#include "lsp/workspace/program_settings.h"
+#include "report/program_settings.h"
 #include "rpc/peer.h"
 
 #include <filesystem>
@@ -12,7 +12,7 @@ namespace proskill::lsp {
 /// Reports errors in settings files as diagnostics of these files. For the main thread.
 class SettingsMistakes {
 public:
-  using Mistakes = std::map<std::filesystem::path, SettingsMistake>;
+  using Mistakes = std::map<std::filesystem::path, report::SettingsMistake>;
 
   /// Both must outlive this.
   SettingsMistakes(rpc::Peer& peer, const ClientFeatures& client) : peer(peer), client(client) {}

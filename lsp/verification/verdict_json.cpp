@@ -2,6 +2,7 @@
 
 #include "lsp/protocol/numbers.h"
 #include "report/ordered_json.h"
+#include "report/uri.h"
 
 #include <fmt/format.h>
 
@@ -33,7 +34,8 @@ Json waypointsJson(const std::vector<ide::Waypoint>& way, const Converter& conve
 
 /// \pre the property has a location
 Json diagnosticJson(const ide::PropertyVerdict& property, const analysis::Program& program,
-                    const Converter& convert, const ClientFeatures& client) {
+                    analysis::ProgramOriginals& originals, const Converter& convert,
+                    const ClientFeatures& client) {
   Json json{
       {"range", convert.range(firstLine(program, *property.location))},
       {"severity", property.weight == codegen::Weight::Error
@@ -44,8 +46,11 @@ Json diagnosticJson(const ide::PropertyVerdict& property, const analysis::Progra
       {"message", fmt::format("{}: {}{}{}", property.description, ide::toString(property.verdict),
                               property.summary.empty() ? "" : ". ", property.summary)},
       {"data", {{"kind", "verdict"}, {"name", property.name}, {"program", convert.uri(0)}}}};
-  if (client.relatedInformation && !property.way.empty())
-    json["relatedInformation"] = waypointsJson(property.way, convert);
+  if (!client.relatedInformation) return json;
+  auto related = waypointsJson(property.way, convert);
+  if (const auto original = originals.of(*property.location))
+    related.insert(related.begin(), relatedOriginal(*original));
+  if (!related.empty()) json["relatedInformation"] = std::move(related);
   return json;
 }
 
@@ -76,6 +81,13 @@ Actor actorNamed(const analysis::Program& program, std::string_view name) {
 }
 
 } // namespace
+
+Json relatedOriginal(const analysis::Original& original) {
+  const Json at{{"line", original.line - 1}, {"character", original.column - 1}};
+  return {{"location",
+           {{"uri", report::toUri(original.file)}, {"range", {{"start", at}, {"end", at}}}}},
+          {"message", "from here: " + original.what}};
+}
 
 Json stepsJson(const analysis::Program& program, const OrderedJson& steps,
                const Converter& convert) {
@@ -226,9 +238,10 @@ Json verdictDiagnostics(const ide::Verdicts& verdicts, const ide::Snapshot& snap
     const auto current = ide::currentVerdicts(verdicts, view);
     if (!current) continue;
     const Converter convert(current->program->program, snapshot.open(), client.encoding);
+    analysis::ProgramOriginals originals(view.program());
     for (const auto& property : current->properties) {
       if (!property.bad() || !property.location || property.location->file != view.file) continue;
-      auto diagnostic = diagnosticJson(property, view.program(), convert, client);
+      auto diagnostic = diagnosticJson(property, view.program(), originals, convert, client);
       if (std::ranges::find(result, diagnostic) == result.end())
         result.push_back(std::move(diagnostic));
     }

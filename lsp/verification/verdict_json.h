@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analysis/program/originals.h"
 #include "lsp/protocol/convert.h"
 #include "lsp/verification/verified.h"
 #include "report/ordered_json.h"
@@ -21,6 +22,9 @@ namespace proskill::lsp {
 [[nodiscard]] Json countsJson(const std::vector<ide::PropertyVerdict>& properties);
 [[nodiscard]] Json explorationSummary(const verify::Exploration& exploration);
 [[nodiscard]] Json progressJson(const worker::WorkerProgress& progress);
+
+/// The original of a place, as an entry of `relatedInformation`.
+[[nodiscard]] Json relatedOriginal(const analysis::Original& original);
 
 /// The steps of a trace for `proskill/trace`, from those of a report.
 [[nodiscard]] Json stepsJson(const analysis::Program& program, const OrderedJson& steps,

@@ -22,6 +22,18 @@ bool isRoot(const std::filesystem::path& file, const ide::IncludeGraph& includes
 
 } // namespace
 
+std::string_view nameOf(VerificationState state) {
+  switch (state) {
+  case VerificationState::Waiting: return "waiting";
+  case VerificationState::Checking: return "checking";
+  case VerificationState::Done: return "done";
+  case VerificationState::Errors: return "errors";
+  case VerificationState::Failed: return "failed";
+  case VerificationState::Off: return "off";
+  }
+  return "";
+}
+
 bool hasChanged(const analysis::Program& program,
                 const std::map<std::filesystem::path, std::int64_t>& wereOpen,
                 const ide::OpenTexts& open) {
@@ -60,8 +72,8 @@ void VerdictStore::set(const std::shared_ptr<const ide::AnalysedProgram>& progra
   const bool isNew = !entries.contains(rootOf(*program));
   const bool wasStale = !isNew && entries[rootOf(*program)].stale;
   auto& state = entry(program);
-  const bool isWhole = state.verified && !state.verified->verdicts->anyPending();
-  if (now == VerificationState::Waiting && isWhole && !state.stale)
+  const bool isComplete = state.verified && state.verified->verdicts->isComplete();
+  if (now == VerificationState::Waiting && isComplete && !state.stale)
     now = VerificationState::Done; // nothing is pending
   if (!isNew && now == state.state && message == state.message && wasStale == state.stale) return;
   state.state = now;
@@ -103,6 +115,20 @@ void VerdictStore::setVerified(const std::shared_ptr<const ide::AnalysedProgram>
   state.progress.reset();
   publish();
   tell(state);
+}
+
+void VerdictStore::setDurations(const std::shared_ptr<const ide::AnalysedProgram>& program,
+                                std::vector<ide::SkillDuration> durations) {
+  const std::lock_guard lock(mutex);
+  const auto found = entries.find(rootOf(*program));
+  if (found == entries.end() || !found->second.verified) return;
+  Verified verified = *found->second.verified;
+  if (!ide::areCurrent(*verified.verdicts, program->program)) return;
+  auto verdicts = std::make_shared<ide::ProgramVerdicts>(*verified.verdicts);
+  verdicts->durations = std::move(durations);
+  verified.verdicts = std::move(verdicts);
+  found->second.verified = std::make_shared<const Verified>(std::move(verified));
+  publish();
 }
 
 /// \pre the mutex is held

@@ -11,6 +11,8 @@
 namespace proskill::lsp {
 
 enum class VerificationState : std::uint8_t { Waiting, Checking, Done, Errors, Failed, Off };
+/// As `proskill/verdicts` has it.
+[[nodiscard]] std::string_view nameOf(VerificationState state);
 
 /// The verdicts of a program, and the state of its verification.
 struct ProgramState {
@@ -47,6 +49,10 @@ public:
   /// \param open the current texts, which may have changed during verification
   void setVerified(const std::shared_ptr<const ide::AnalysedProgram>& program, Verified verified,
                    const ide::OpenTexts& open);
+
+  /// Adds durations to the verdicts on exactly this program.
+  void setDurations(const std::shared_ptr<const ide::AnalysedProgram>& program,
+                    std::vector<ide::SkillDuration> durations);
 
   /// Call this after an edit: verdicts become stale if one of their texts has changed, and current
   /// again if the change is undone. Returns whether any verdicts did. Forgets programs without open

@@ -3,6 +3,7 @@
 #include "ide/fiacre/fiacre_text.h"
 #include "ide/snapshot/fiacre_file.h"
 
+#include "lsp/verification/defined_in.h"
 #include "lsp/verification/verdict_json.h"
 
 #include <fmt/format.h>
@@ -26,18 +27,6 @@ bool isVerifiable(const ide::AnalysedProgram& program) {
   return !ide::isFiacre(root.path) || ide::FiacreText(root.document.text()).model().has_value();
 }
 
-std::string_view nameOf(VerificationState state) {
-  switch (state) {
-  case VerificationState::Waiting: return "waiting";
-  case VerificationState::Checking: return "checking";
-  case VerificationState::Done: return "done";
-  case VerificationState::Errors: return "errors";
-  case VerificationState::Failed: return "failed";
-  case VerificationState::Off: return "off";
-  }
-  return "";
-}
-
 std::map<std::filesystem::path, std::int64_t> versionsOf(const analysis::Program& program,
                                                          const ide::OpenTexts& open) {
   std::map<std::filesystem::path, std::int64_t> versions;
@@ -54,7 +43,7 @@ constexpr std::string_view kUntrusted =
 
 Verification::Verification(Outside with)
     : outside(std::move(with)),
-      board([this](const ProgramState& state) { announce(state); }),
+      store([this](const ProgramState& state) { announce(state); }),
       thread([this](const std::stop_token& stop) { live(stop); }) {}
 
 Verification::~Verification() {
@@ -69,7 +58,7 @@ Verification::~Verification() {
 void Verification::start(const ClientFeatures& client, VerificationSettings chosen) {
   const std::lock_guard lock(mutex);
   encoding = client.encoding;
-  verdictChanges = client.verdictChanges;
+  verdictNews = client.verdictNews;
   settings = chosen;
   started = true;
 }
@@ -91,7 +80,7 @@ void Verification::textsChanged(std::shared_ptr<const ide::Snapshot> now,
     snapshot = std::move(now);
     if (inView) view(*inView);
     edited = true;
-    due = std::chrono::steady_clock::now() + settings.delay;
+    due = std::chrono::steady_clock::now() + delayAfter(settings, took);
     if (runningOn && hasChanged(runningOn->program, runningVersions, snapshot->open()))
       running.cancel();
   }
@@ -105,7 +94,7 @@ void Verification::setView(const std::filesystem::path& path, std::optional<Line
     if (lines) visible[path] = *lines;
     if (!viewed.empty() && viewed.front() == path) return; // only scrolled: nothing to do
     view(path);
-    due = std::chrono::steady_clock::now() + settings.delay;
+    due = std::chrono::steady_clock::now() + delayAfter(settings, took);
   }
   wake.notify_all();
 }
@@ -164,60 +153,83 @@ void Verification::live(const std::stop_token& stop) {
 }
 
 void Verification::noticeEdit(const ide::Snapshot& now) {
-  if (board.noticeEdit(now.open(), *now.includes())) outside.changed();
+  if (store.noticeEdit(now.open(), *now.includes())) outside.changed();
 }
 
 void Verification::checkLive(const ide::Snapshot& now, const std::filesystem::path& path,
                              const VerificationSettings& chosen,
                              const rpc::Cancellation& cancellation) {
+  const auto begin = std::chrono::steady_clock::now();
+  std::vector<Programs> verified;
+  bool isAnyNew = false;
   for (const auto& of : now.views(path)) {
-    if (cancellation.isCancelled()) return;
+    if (cancellation.isCancelled()) break;
     if (!isVerifiable(*of.owner)) continue;
     if (!chosen.trusted)
-      board.set(of.owner, VerificationState::Off, std::string(kUntrusted));
+      store.set(of.owner, VerificationState::Off, std::string(kUntrusted));
     else if (!chosen.live)
-      board.set(of.owner, VerificationState::Off, "live verification is switched off");
-    else
-      checkProgram(of.owner, now, chosen, cancellation);
-  }
-}
-
-void Verification::checkProgram(const Programs& program, const ide::Snapshot& now,
-                                const VerificationSettings& chosen,
-                                const rpc::Cancellation& cancellation) {
-  if (hasErrors(*program))
-    return board.set(program, VerificationState::Errors, "the program has errors");
-  const auto known = board.of(program->program.files.front().path);
-  const bool isWhole = known && known->verified && !known->verified->verdicts->anyPending();
-  if (isWhole && ide::areCurrent(*known->verified->verdicts, program->program)) {
-    const bool told = known->state == VerificationState::Done && !known->stale;
-    if (!told) board.set(program, VerificationState::Done);
-    if (known->stale) outside.changed();
-    return;
+      store.set(of.owner, VerificationState::Off, "live verification is switched off");
+    else if (const auto checked = checkProgram(of.owner, now, chosen, cancellation);
+             checked != Checked::No) {
+      verified.push_back(of.owner);
+      isAnyNew = isAnyNew || checked == Checked::Now;
+    }
   }
   {
     const std::lock_guard lock(mutex);
-    runningOn = program;
-    runningVersions = versionsOf(program->program, now.open());
+    const auto passed = std::chrono::steady_clock::now() - begin;
+    if (isAnyNew || (took && passed > *took)) took = passed;
   }
-  board.set(program, VerificationState::Checking);
+  for (const auto& program : verified) measure(program, now.open(), chosen, cancellation);
+}
+
+/// An edit of a program that is in work cancels the work, and so does one that came just before.
+void Verification::beginWork(const Programs& program, const ide::OpenTexts& open) {
+  const std::lock_guard lock(mutex);
+  runningOn = program;
+  runningVersions = versionsOf(program->program, open);
+  if (hasChanged(program->program, runningVersions, snapshot->open())) running.cancel();
+}
+
+void Verification::endWork() {
+  const std::lock_guard lock(mutex);
+  runningOn.reset();
+}
+
+Verification::Checked Verification::checkProgram(const Programs& program, const ide::Snapshot& now,
+                                                 const VerificationSettings& chosen,
+                                                 const rpc::Cancellation& cancellation) {
+  if (hasErrors(*program)) {
+    store.set(program, VerificationState::Errors, "the program has errors");
+    return Checked::No;
+  }
+  const auto known = store.of(program->program.files.front().path);
+  const bool isComplete = known && known->verified && known->verified->verdicts->isComplete();
+  if (isComplete && ide::areCurrent(*known->verified->verdicts, program->program)) {
+    const bool told = known->state == VerificationState::Done && !known->stale;
+    if (!told) store.set(program, VerificationState::Done);
+    if (known->stale) outside.changed();
+    return Checked::Before;
+  }
+  beginWork(program, now.open());
+  store.set(program, VerificationState::Checking);
   checkInView(program, now, chosen, cancellation);
   auto job = worker::jobFor(program->program);
   job.budget = chosen.liveBudget;
   auto verified =
       run(program, now.open(), job, kLiveLimits, cancellation,
-          [&](const worker::WorkerProgress& progress) { board.setProgress(program, progress); });
-  {
-    const std::lock_guard lock(mutex);
-    runningOn.reset();
-  }
+          [&](const worker::WorkerProgress& progress) { store.setProgress(program, progress); });
+  endWork();
   if (verified) {
     record(program, std::move(*verified));
-  } else if (verified.error().cancelled) {
-    board.set(program, VerificationState::Waiting);
-  } else {
-    board.set(program, VerificationState::Failed, verified.error().message);
+    unmeasured.insert(program->program.files.front().path);
+    return Checked::Now;
   }
+  if (verified.error().cancelled)
+    store.set(program, VerificationState::Waiting);
+  else
+    store.set(program, VerificationState::Failed, verified.error().message);
+  return Checked::No;
 }
 
 namespace {
@@ -229,28 +241,6 @@ std::size_t bytesOf(const analysis::Program& program) {
   std::size_t bytes = 0;
   for (const auto& file : program.files) bytes += file.document.text().size();
   return bytes;
-}
-
-/// The definitions in some lines of a file: names that select properties.
-std::vector<std::string> definedIn(const analysis::Program& program,
-                                   const std::filesystem::path& path, std::uint32_t first,
-                                   std::uint32_t last) {
-  std::vector<std::string> names;
-  const auto file = std::ranges::find(program.files, path, &analysis::File::path);
-  if (file == program.files.end()) return names;
-  const auto& index = file->document.lines();
-  const syntax::Range range{index.offset({first, 0}), index.offset({last + 1, 0})};
-  const auto add = [&](const auto& table) {
-    for (const auto& each : table.all) {
-      const auto at = each.form->range;
-      if (program.files[each.file].path == path && at.begin < range.end && range.begin < at.end)
-        names.emplace_back(each.name());
-    }
-  };
-  add(program.stateVariables);
-  add(program.skills);
-  add(program.properties);
-  return names;
 }
 
 } // namespace
@@ -277,7 +267,28 @@ void Verification::checkInView(const Programs& program, const ide::Snapshot& now
   for (auto& property : decided->properties)
     property.pending = property.verdict == ide::Verdict::Inconclusive;
   found->verdicts = std::move(decided);
-  board.setDecided(program, std::move(*found), now.open());
+  store.setDecided(program, std::move(*found), now.open());
+  outside.changed();
+}
+
+/// Measures how long skills take, when all verdicts are known. Without an answer nothing is shown;
+/// if an edit ends it and is undone, it is done again.
+void Verification::measure(const Programs& program, const ide::OpenTexts& open,
+                           const VerificationSettings& chosen,
+                           const rpc::Cancellation& cancellation) {
+  const auto& root = program->program.files.front().path;
+  if (!chosen.durations || !unmeasured.contains(root) || ide::isFiacre(root)) return;
+  auto job = worker::jobFor(program->program);
+  job.durations = true;
+  job.budget = chosen.liveBudget;
+  beginWork(program, open);
+  const auto report = worker::runWorker(outside.worker, job, cancellation, {});
+  endWork();
+  if (report || !report.error().cancelled) unmeasured.erase(root);
+  if (!report) return;
+  auto measured = readDurations(*report);
+  if (!measured || measured->empty()) return;
+  store.setDurations(program, std::move(*measured));
   outside.changed();
 }
 
@@ -287,7 +298,7 @@ void Verification::record(const Programs& program, Verified verified) {
     const std::lock_guard lock(mutex);
     now = snapshot;
   }
-  board.setVerified(program, std::move(verified), now ? now->open() : ide::OpenTexts());
+  store.setVerified(program, std::move(verified), now ? now->open() : ide::OpenTexts());
   outside.changed();
 }
 
@@ -303,7 +314,7 @@ Verification::run(const Programs& program, const ide::OpenTexts& open, const wor
                         [&](const OrderedJson& soFar, const std::vector<std::size_t>& rows) {
                           auto decided = growing.with(soFar, rows);
                           if (!decided) return;
-                          board.setDecided(program, std::move(*decided), open);
+                          store.setDecided(program, std::move(*decided), open);
                           outside.changed();
                         });
   if (!report) {
@@ -314,7 +325,7 @@ Verification::run(const Programs& program, const ide::OpenTexts& open, const wor
   if (!verified)
     return std::unexpected(
         worker::WorkerFailure{false, "the process that verifies gave a report of an unknown form"});
-  return std::move(*verified);
+  return job.names.empty() ? ofWholeProgram(std::move(*verified)) : std::move(*verified);
 }
 
 namespace {
@@ -329,17 +340,18 @@ bool sameRows(const std::shared_ptr<const ide::ProgramVerdicts>& before,
 
 } // namespace
 
-/// Called by the board, by one thread at a time.
+/// Called by the store, by one thread at a time.
 void Verification::announce(const ProgramState& state) {
   std::shared_ptr<const ide::Snapshot> now;
   syntax::Encoding counted{};
-  bool changes = false;
+  VerdictNews news{};
   {
     const std::lock_guard lock(mutex);
     now = snapshot;
     counted = encoding;
-    changes = verdictChanges;
+    news = verdictNews;
   }
+  if (news == VerdictNews::None) return;
   const ide::OpenTexts none;
   const auto& open = now ? now->open() : none;
   const Converter here(state.program->program, open, counted);
@@ -362,7 +374,7 @@ void Verification::announce(const ProgramState& state) {
     if (!state.verified->mainSkill.empty()) json["main"] = state.verified->mainSkill;
     json["counts"] = countsJson(verdicts.properties);
     auto& before = announced[root];
-    if (changes && sameRows(before, verdicts)) {
+    if (news == VerdictNews::Changes && sameRows(before, verdicts)) {
       json["verdicts"] = changedVerdictsJson(*before, verdicts, there);
       json["changes"] = true;
     } else {

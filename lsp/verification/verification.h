@@ -7,6 +7,7 @@
 
 #include <condition_variable>
 #include <list>
+#include <set>
 #include <thread>
 
 namespace proskill::lsp {
@@ -44,7 +45,7 @@ public:
   /// \param lines the visible ones, if known
   void setView(const std::filesystem::path& path, std::optional<Lines> lines);
 
-  [[nodiscard]] std::shared_ptr<const ide::Verdicts> verdicts() const { return board.verdicts(); }
+  [[nodiscard]] std::shared_ptr<const ide::Verdicts> verdicts() const { return store.verdicts(); }
 
   /// `proskill/verify` and `proskill/trace`.
   void addMethods(Registry& registry);
@@ -56,8 +57,10 @@ private:
   void live(const std::stop_token& stop);
   void checkLive(const ide::Snapshot& snapshot, const std::filesystem::path& path,
                  const VerificationSettings& settings, const rpc::Cancellation& cancellation);
-  void checkProgram(const Programs& program, const ide::Snapshot& snapshot,
-                    const VerificationSettings& settings, const rpc::Cancellation& cancellation);
+  /// Whether the verdicts on a program are known.
+  enum class Checked : std::uint8_t { No, Before, Now };
+  Checked checkProgram(const Programs& program, const ide::Snapshot& snapshot,
+                       const VerificationSettings& settings, const rpc::Cancellation& cancellation);
   std::expected<Verified, worker::WorkerFailure>
   run(const Programs& program, const ide::OpenTexts& open, const worker::WorkerJob& job,
       const LimitSettings& limits, const rpc::Cancellation& cancellation,
@@ -65,6 +68,10 @@ private:
   void checkInView(const Programs& program, const ide::Snapshot& snapshot,
                    const VerificationSettings& settings, const rpc::Cancellation& cancellation);
   void record(const Programs& program, Verified verified);
+  void measure(const Programs& program, const ide::OpenTexts& open,
+               const VerificationSettings& settings, const rpc::Cancellation& cancellation);
+  void beginWork(const Programs& program, const ide::OpenTexts& open);
+  void endWork();
   void noticeEdit(const ide::Snapshot& now);
   void announce(const ProgramState& state);
   void log(std::string_view line) const {
@@ -80,21 +87,24 @@ private:
   [[nodiscard]] std::optional<std::filesystem::path> inView();
 
   Outside outside;
-  VerdictStore board;
+  VerdictStore store;
   mutable std::mutex mutex;
   std::condition_variable wake;
   VerificationSettings settings;
   syntax::Encoding encoding = syntax::Encoding::Utf16;
-  bool verdictChanges = false; ///< the client merges changes itself
+  VerdictNews verdictNews = VerdictNews::None; ///< what the client is sent
   bool started = false;
   std::shared_ptr<const ide::Snapshot> snapshot;
   std::map<std::filesystem::path, Lines> visible; ///< visible lines of the texts in view
   /// Open texts that the user has viewed, the last one first.
   std::list<std::filesystem::path> viewed;
-  bool edited = false;       ///< since the last call of `noticeEdit`
-  std::optional<Time> due;   ///< of live verification
-  rpc::Cancellation running; ///< of live verification
+  bool edited = false;                ///< since the last call of `noticeEdit`
+  std::optional<Time> due;            ///< of live verification
+  std::optional<Time::duration> took; ///< by the last live verification, without durations
+  rpc::Cancellation running;          ///< of live verification
   Programs runningOn;
+  /// Roots of programs whose durations are not known yet. Only live verification uses it.
+  std::set<std::filesystem::path> unmeasured;
   /// By root: the verdicts that were sent to the client. Only calls of the store use it.
   std::map<std::filesystem::path, std::shared_ptr<const ide::ProgramVerdicts>> announced;
   std::map<std::filesystem::path, std::int64_t> runningVersions;

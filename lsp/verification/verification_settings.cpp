@@ -34,8 +34,16 @@ void readMegabytes(const Json& object, const char* name, std::uint64_t& value) {
 
 } // namespace
 
+std::chrono::steady_clock::duration
+delayAfter(const VerificationSettings& settings,
+           std::optional<std::chrono::steady_clock::duration> took) {
+  const std::chrono::steady_clock::duration most = settings.delay;
+  return took ? std::min(most, *took / 2) : most;
+}
+
 VerificationSettings withSettings(VerificationSettings settings, const Json& section) {
   readFlag(section, "live", settings.live);
+  readFlag(section, "durations", settings.durations);
   readSeconds(section, "seconds", settings.liveBudget.seconds);
   readMegabytes(section, "megabytes", settings.liveBudget.megabytes);
   readSeconds(section, "requestSeconds", settings.requestBudget.seconds);

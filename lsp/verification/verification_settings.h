@@ -18,10 +18,18 @@ inline constexpr LimitSettings kRequestLimits{"verify.requestSeconds", "verify.r
 struct VerificationSettings {
   bool trusted = true; ///< otherwise nothing is verified, whatever the other settings are
   bool live = true;
-  std::chrono::milliseconds delay{500}; ///< pause in editing before live verification starts
+  bool durations = true; ///< measure how long skills take, after live verification
+  /// The longest pause in editing before live verification starts; see `delayAfter`.
+  std::chrono::milliseconds delay{500};
   worker::Budget liveBudget{2, 512, {}};
   worker::Budget requestBudget{60, 2048, {}};
 };
+
+/// The pause in editing before live verification starts: half of what the last one took, since an
+/// edit that comes too early wastes no more than that.
+[[nodiscard]] std::chrono::steady_clock::duration
+delayAfter(const VerificationSettings& settings,
+           std::optional<std::chrono::steady_clock::duration> took);
 
 /// The settings changed by a `verify` section; absent and invalid values do not change anything.
 /// Only the client can set `trusted`; it is not a setting of the workspace.

@@ -160,10 +160,52 @@ std::optional<Verified> readReport(const OrderedJson& report,
   }
 }
 
+namespace {
+
+/// A moment in a report. Its exact value is a decimal number or a fraction.
+ide::Moment momentIn(const OrderedJson& json) {
+  const auto exact = json.at("exact").get<std::string>();
+  return {syntax::parseRational(exact).value(), json.at("strict").get<bool>()};
+}
+
+std::optional<ide::MeasuredTime> timeIn(const OrderedJson& json) {
+  if (json.is_null()) return std::nullopt;
+  ide::MeasuredTime made{.happens = json.at("happens").get<bool>()};
+  if (!made.happens) return made;
+  made.bounded = !json.at("value").is_null();
+  if (made.bounded) made.value = momentIn(json.at("value"));
+  return made;
+}
+
+} // namespace
+
+std::optional<std::vector<ide::SkillDuration>> readDurations(const OrderedJson& report) {
+  try {
+    std::vector<ide::SkillDuration> all;
+    for (const auto& json : report.at("durations"))
+      all.push_back({json.at("skill").get<std::string>(), timeIn(json.at("shortest")),
+                     timeIn(json.at("longest"))});
+    return all;
+  } catch (const OrderedJson::exception&) {
+    return std::nullopt;
+  } catch (const std::bad_optional_access&) {
+    return std::nullopt;
+  }
+}
+
+Verified ofWholeProgram(Verified verified) {
+  auto verdicts = std::make_shared<ide::ProgramVerdicts>(*verified.verdicts);
+  verdicts->isWhole = true;
+  verified.verdicts = std::move(verdicts);
+  return verified;
+}
+
 Verified merged(const Verified& older, Verified newer) {
   if (!ide::areCurrent(*older.verdicts, newer.verdicts->program->program)) return newer;
   auto all = std::make_shared<ide::ProgramVerdicts>(*newer.verdicts);
   all->properties = older.verdicts->properties;
+  if (all->durations.empty()) all->durations = older.verdicts->durations;
+  all->isWhole = all->isWhole || older.verdicts->isWhole;
   std::unordered_map<std::string_view, std::size_t> rows; // an index of the older verdicts, of
                                                           // which there may be thousands
   for (const auto& property : older.verdicts->properties) rows.emplace(property.name, rows.size());

@@ -28,6 +28,10 @@ struct Verified {
 readReport(const OrderedJson& report, std::shared_ptr<const ide::AnalysedProgram> program,
            const ide::OpenTexts& open, const LimitSettings& limits);
 
+/// Reads the durations of a report that has nothing else; nothing if it has another form.
+[[nodiscard]] std::optional<std::vector<ide::SkillDuration>>
+readDurations(const OrderedJson& report);
+
 /// A report that grows while its program is verified.
 class GrowingReport {
 public:
@@ -47,6 +51,8 @@ private:
   std::optional<Verified> known;
 };
 
+/// The same verdicts, which are about all properties of the program.
+[[nodiscard]] Verified ofWholeProgram(Verified verified);
 /// The verdicts after some properties have been verified again: the newer verdict of each property
 /// if both are for the same texts; otherwise only the newer ones.
 [[nodiscard]] Verified merged(const Verified& older, Verified newer);

@@ -2,8 +2,8 @@
 
 #include "ide/snapshot/fiacre_file.h"
 #include "lsp/protocol/convert.h"
-#include "lsp/workspace/program_settings.h"
 #include "lsp/workspace/text_changes.h"
+#include "report/program_settings.h"
 
 #include <algorithm>
 #include <array>
@@ -178,12 +178,13 @@ void Workspace::forget(const std::vector<fs::path>& folders, const std::vector<f
   startAfresh();
 }
 
-std::map<fs::path, SettingsMistake> Workspace::mistakes() const {
-  std::map<fs::path, SettingsMistake> result;
+std::map<fs::path, report::SettingsMistake> Workspace::mistakes() const {
+  std::map<fs::path, report::SettingsMistake> result;
   std::set<fs::path> looked;
   for (const auto& [path, text] : texts)
     if (looked.insert(path.parent_path()).second)
-      if (auto found = settingsFor(*disk, path); found.mistake) result[found.file] = *found.mistake;
+      if (auto found = report::settingsFor(*disk, path); found.mistake)
+        result[found.file] = *found.mistake;
   return result;
 }
 
@@ -191,7 +192,7 @@ void Workspace::readFiles(const std::vector<fs::path>& paths) {
   disk->followAnew();
   std::set<std::string> changed;
   for (const auto& path : paths)
-    if (path.filename() != kSettingsFile)
+    if (path.filename() != report::kSettingsFile)
       changed.insert({path.native(), disk->canonical(path).native()});
   for (const auto& file : graph->files())
     if (changed.contains(file->name.native())) changed.insert(file->canonical);
@@ -265,7 +266,7 @@ std::optional<fs::path> Workspace::otherTextOf(std::string_view canonical) const
 /// Discards all analyses: a file's text or the settings have changed.
 void Workspace::startAfresh() {
   auto settings = [disk = disk, style = style](const fs::path& root) {
-    auto found = settingsFor(*disk, root).settings;
+    auto found = report::settingsFor(*disk, root).settings;
     found.style |= style;
     return found;
   };

@@ -3,7 +3,7 @@
 #include "ide/snapshot/snapshot.h"
 #include "lsp/protocol/client.h"
 #include "lsp/workspace/file_cache.h"
-#include "lsp/workspace/program_settings.h"
+#include "report/program_settings.h"
 
 #include <expected>
 #include <functional>
@@ -57,7 +57,7 @@ public:
               const std::vector<std::filesystem::path>& staying);
 
   /// The errors in settings files that apply to open texts, for the user.
-  [[nodiscard]] std::map<std::filesystem::path, SettingsMistake> mistakes() const;
+  [[nodiscard]] std::map<std::filesystem::path, report::SettingsMistake> mistakes() const;
 
   /// Files on disk that are new or have changed; open files are not read.
   void readFiles(const std::vector<std::filesystem::path>& paths);

@@ -1,6 +1,10 @@
 #include "report/run/read_recording.h"
 
 #include "report/ordered_json.h"
+#include "report/run/mcap.h"
+
+#include <algorithm>
+#include <utility>
 
 namespace proskill::report {
 
@@ -11,21 +15,6 @@ using Json = nlohmann::json;
 struct Wrong {
   std::string why;
 };
-
-/// Parses a recording, which has one step per line. If it was cut off, the incomplete last line is
-/// ignored.
-Json parsed(std::string_view text) {
-  auto whole = Json::parse(text, nullptr, false);
-  while (whole.is_discarded()) {
-    const auto line = text.rfind('\n');
-    if (line == std::string_view::npos) throw Wrong{"it is not JSON"};
-    text = text.substr(0, line);
-    auto steps = std::string(text);
-    while (!steps.empty() && (steps.back() == ',' || steps.back() == '\n')) steps.pop_back();
-    whole = Json::parse(steps + "]}", nullptr, false);
-  }
-  return whole;
-}
 
 std::string word(const Json& value, const char* key) {
   const auto found = value.find(key);
@@ -60,6 +49,7 @@ runtime::RecordedStep stepOf(const Json& value, const analysis::Program& program
   step.what.actor = word(value, "actor");
   step.what.description = word(value, "description");
   step.stops = word(value, "stops");
+  step.message = word(value, "message");
   locate(value, program, step.what);
   if (const auto changes = value.find("changes"); changes != value.end() && changes->is_array())
     for (const auto& change : *changes)
@@ -69,21 +59,80 @@ runtime::RecordedStep stepOf(const Json& value, const analysis::Program& program
   return step;
 }
 
+runtime::RecordedCall callOf(const Json& remark, std::size_t after) {
+  runtime::RecordedCall call{after, dateOf(remark), word(remark, "actor"), "", {}};
+  const auto action = remark.find("action");
+  if (action == remark.end() || !action->is_object()) return call;
+  call.command = word(*action, "command");
+  if (const auto all = action->find("arguments"); all != action->end() && all->is_array())
+    for (const auto& each : *all)
+      call.arguments.push_back(each.is_string() ? each.get<std::string>() : each.dump());
+  return call;
+}
+
+std::vector<verify::Change> initialOf(const Json& value) {
+  std::vector<verify::Change> all;
+  const auto initial = value.find("initial");
+  if (initial == value.end() || !initial->is_object()) return all;
+  for (const auto& [variable, first] : initial->items())
+    all.push_back({variable, "", first.is_string() ? first.get<std::string>() : first.dump()});
+  return all;
+}
+
+/// The trace that a recording contains, as JSON: itself, or what an MCAP file has of it.
+std::expected<std::string, std::string> wholeTrace(std::string recording) {
+  if (!mcap::isMcap(recording)) return recording;
+  const auto content = mcap::read(recording, "/steps");
+  if (!content) return std::unexpected(content.error());
+  const auto head = content->metadata.find(std::string(kTraceHead));
+  if (head == content->metadata.end() || !head->second.ends_with('}'))
+    return std::unexpected("it was not recorded by `proskill run`, or by an older one");
+  return traceWith(head->second, content->messages);
+}
+
 } // namespace
 
+std::string completed(std::string_view text) {
+  // whole lines; or without the last one, which was cut
+  const auto lines = text.substr(0, std::min(text.rfind('\n'), text.size()));
+  for (auto rest : {text, lines}) {
+    while (rest.ends_with(',') || rest.ends_with('\n')) rest.remove_suffix(1);
+    auto whole = std::string(rest) + "]}";
+    if (Json::accept(whole)) return whole;
+  }
+  return std::string(text);
+}
+
+std::string traceWith(std::string head, const std::vector<std::string_view>& steps) {
+  head.back() = ',';
+  head += "\"steps\":[\n";
+  const char* between = "";
+  for (const auto step : steps) {
+    head += std::exchange(between, ",\n");
+    head += step;
+  }
+  return head + "\n]}\n";
+}
+
 std::expected<runtime::RecordedRun, std::string>
-readRecording(std::string_view text, const analysis::Program& program, std::string& main) {
+readRecording(std::string_view recording, const analysis::Program& program, std::string& main) {
   try {
-    const auto value = parsed(text);
+    const auto text = wholeTrace(std::string(recording));
+    if (!text) return std::unexpected(text.error());
+    auto value = Json::parse(*text, nullptr, false);
+    if (value.is_discarded()) value = Json::parse(completed(*text), nullptr, false);
+    if (value.is_discarded()) return std::unexpected("it is not JSON");
     if (!value.is_object() || !value.contains("steps") || !value["steps"].is_array())
       return std::unexpected("it has no steps");
     if (word(value, "verdict") != "recorded") return std::unexpected("it is not a recorded run");
     main = word(value, "main");
     runtime::RecordedRun run;
     run.environment = value.contains("environment") && value["environment"] == true;
+    run.initial = initialOf(value);
     for (const auto& step : value["steps"]) {
       if (!step.is_object()) return std::unexpected("a step must be an object");
       if (!step.contains("remark")) run.steps.push_back(stepOf(step, program));
+      if (word(step, "remark") == "started") run.calls.push_back(callOf(step, run.steps.size()));
     }
     return run;
   } catch (const Wrong& wrong) {

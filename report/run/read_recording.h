@@ -9,9 +9,22 @@
 
 namespace proskill::report {
 
-/// Reads a recording written by `runRecording`. A truncated recording is read up to its last
-/// complete step. The error is a message.
-/// \param main receives the mission's name
+/// Name of the metadata record in which an MCAP file has the trace without its steps.
+inline constexpr std::string_view kTraceHead = "proskill.trace";
+/// Topics of the values. A skill has its status, which is the variable with this suffix in a trace.
+inline constexpr std::string_view kVariablesTopic = "/variables";
+inline constexpr std::string_view kSkillsTopic = "/skills";
+inline constexpr std::string_view kStatusSuffix = ".status";
+
+/// The text of a trace. \param head its JSON object without steps, which is not empty
+[[nodiscard]] std::string traceWith(std::string head, const std::vector<std::string_view>& steps);
+
+/// The text of a recording that was cut off, as a trace up to its last complete step; as it is if
+/// that is not possible. A recording has a step in each line.
+[[nodiscard]] std::string completed(std::string_view text);
+
+/// Reads a recording written by `runRecording` or `runMcap`. A truncated recording is read up to
+/// its last complete step. The error is a message. \param main receives the mission's name
 [[nodiscard]] std::expected<runtime::RecordedRun, std::string>
 readRecording(std::string_view text, const analysis::Program& program, std::string& main);
 

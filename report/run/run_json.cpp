@@ -1,5 +1,6 @@
 #include "report/run/run_json.h"
 
+#include "report/report_json.h"
 #include "report/run/run_lines.h"
 #include "runtime/executor/description.h"
 
@@ -130,10 +131,12 @@ std::string_view toString(RemarkKind kind) {
   case RemarkKind::Asked: return "asked to stop";
   case RemarkKind::GuardFailed: return "failed invariant";
   case RemarkKind::Note: return "note";
+  case RemarkKind::Holds: return "holds";
   case RemarkKind::Undershoot: return "undershoot";
   case RemarkKind::Overshoot: return "overshoot";
   case RemarkKind::Alarm: return "alarm";
   case RemarkKind::Fault: return "fault";
+  case RemarkKind::Violated: return "violated";
   }
   return "";
 }
@@ -146,13 +149,38 @@ std::unique_ptr<runtime::Observer> runRecording(AddToRecording add, RunSubject s
   return std::make_unique<Recording>(std::move(add), subject);
 }
 
-void writeRunSummaryJson(std::ostream& out, const runtime::RunResult& result) {
+OrderedJson runPropertiesJson(RunSubject subject,
+                              const std::vector<runtime::PropertyMonitors::Decision>& verdicts) {
+  using runtime::Verdict;
+  OrderedJson list = OrderedJson::array();
+  for (std::size_t i = 0; i < subject.executable.properties.size(); ++i) {
+    const auto& of = subject.executable.properties[i];
+    const auto& check = subject.executable.model.checks[of.check];
+    const auto step =
+        ide::inWords({.origins = {check.origin}}, subject.executable.model.provenance);
+    const auto verdict = i < verdicts.size() ? verdicts[i].verdict : Verdict::NotYet;
+    const auto why = whyNotMonitored(of);
+    list.push_back({{"name", check.name},
+                    {"description", check.description},
+                    {"location",
+                     step.location ? locationJson(subject.program, *step.location) : OrderedJson()},
+                    {"verdict", toString(verdict)},
+                    {"date", verdict == Verdict::NotYet
+                                 ? OrderedJson()
+                                 : OrderedJson(syntax::toString(secondsOf(verdicts[i].date)))},
+                    {"whyNot", why.empty() ? OrderedJson() : OrderedJson(why)}});
+  }
+  return list;
+}
+
+void writeRunSummaryJson(std::ostream& out, RunSubject subject, const runtime::RunResult& result) {
   OrderedJson json{{"kind", "end"},
                    {"why", toWords(result.end)},
                    {"date", syntax::toString(secondsOf(result.date))},
                    {"steps", result.steps},
                    {"bad", result.bad},
-                   {"mission", result.missionStatus}};
+                   {"mission", result.missionStatus},
+                   {"properties", runPropertiesJson(subject, result.verdicts)}};
   if (!result.failure.empty()) json["failure"] = result.failure;
   out << dumped(json) << '\n';
 }

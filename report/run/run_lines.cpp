@@ -45,6 +45,23 @@ void addSeconds(std::string& to, std::string_view decimal) {
   if (decimal.find('.') == std::string_view::npos) to += ".0";
 }
 
+/// Whether the text of such a remark follows from the program.
+bool isOfProgram(RemarkKind kind) {
+  switch (kind) {
+  case RemarkKind::Started:
+  case RemarkKind::Asked:
+  case RemarkKind::GuardFailed:
+  case RemarkKind::Holds:
+  case RemarkKind::Undershoot:
+  case RemarkKind::Overshoot:
+  case RemarkKind::Alarm:
+  case RemarkKind::Violated: return true;
+  case RemarkKind::Note:
+  case RemarkKind::Fault: return false;
+  }
+  return false;
+}
+
 } // namespace
 
 RunLines::RunLines(RunSubject of) : subject(of), paths(of.executable.system.transitions.size()) {
@@ -54,6 +71,8 @@ RunLines::RunLines(RunSubject of) : subject(of), paths(of.executable.system.tran
     auto& all = words.emplace_back();
     for (const auto& word : watched.words) all.push_back(dumped(word));
   }
+  for (const auto& performed : subject.executable.model.performed)
+    stops.push_back(",\"stops\":" + dumped(performed.skill));
 }
 
 std::string_view RunLines::step(const runtime::Machine& machine, verify::TransitionId step,
@@ -63,13 +82,15 @@ std::string_view RunLines::step(const runtime::Machine& machine, verify::Transit
   addDates(date);
   addChanges(machine.stateBefore(), machine.state());
   line += frame.end;
+  if (const auto message = runtime::printedMessage(subject.executable, machine))
+    line += ",\"message\":" + dumped(*message);
   if (lag > 0) {
     std::array<char, 32> room{};
     line += ",\"lag\":";
     line += inSeconds(lag, room);
   }
-  if (const auto stops = runtime::stoppingSkill(subject.executable, machine); !stops.empty())
-    line += ",\"stops\":" + dumped(stops);
+  if (const auto action = runtime::stoppingAction(subject.executable, machine))
+    line += stops[*action];
   line += '}';
   return line;
 }
@@ -114,9 +135,9 @@ const RunLines::Frame& RunLines::frameOf(const runtime::Machine& machine,
 }
 
 const RunLines::Frame& RunLines::frameOf(const runtime::Remark& remark) {
-  const bool isKept = remark.kind == RemarkKind::Started || remark.kind == RemarkKind::Asked;
+  const bool isKept = isOfProgram(remark.kind);
   const auto* call = remark.start ? remark.start->call : nullptr;
-  const RemarkKey key{remark.kind, remark.subject.data(), call};
+  const RemarkKey key{remark.kind, remark.subject.data(), call, remark.origin};
   if (isKept)
     if (const auto found = remarks.find(key); found != remarks.end()) return found->second;
   auto frame = frameOf(runStep(subject, remark, before));

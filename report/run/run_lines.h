@@ -36,8 +36,9 @@ private:
     std::vector<std::uint32_t> leaves;
     Frame frame;
   };
-  /// Identifies a repeated remark by its kind, skill and command.
-  using RemarkKey = std::tuple<runtime::RemarkKind, const char*, const codegen::ActionCall*>;
+  /// Identifies a repeated remark by its kind, subject, command and place.
+  using RemarkKey =
+      std::tuple<runtime::RemarkKind, const char*, const codegen::ActionCall*, fiacre::OriginId>;
 
   [[nodiscard]] const Frame& frameOf(const runtime::Machine& machine, verify::TransitionId step);
   [[nodiscard]] const Frame& frameOf(const runtime::Remark& remark);
@@ -53,6 +54,7 @@ private:
   /// By watched variable: `{"variable":"place"`, and the names of its values.
   std::vector<std::string> variables;
   std::vector<std::vector<std::string>> words;
+  std::vector<std::string> stops; ///< by action: `,"stops":"fly"`
   runtime::Nanoseconds before = 0;
   std::string line;
 };

@@ -1,9 +1,12 @@
-#include "report/run/mcap.h"
+#include "report/run/mcap_writer.h"
+#include "report/run/read_recording.h"
 #include "report/run/run_json.h"
 #include "report/run/run_lines.h"
-#include "verify/compile/watch.h"
 #include "verify/state/evaluate.h"
 #include "verify/state/state_layout.h"
+
+#include <array>
+#include <charconv>
 
 namespace proskill::report {
 
@@ -11,7 +14,6 @@ using runtime::Nanoseconds;
 
 namespace {
 
-constexpr std::string_view kStatus = ".status";
 constexpr std::uint16_t kSteps = 1; ///< identifiers of channels, and of the schemas of their
                                     ///< messages
 constexpr std::uint16_t kVariables = 2;
@@ -31,6 +33,7 @@ OrderedJson stepSchema() {
   return object({{"actor", ofType("string")},
                  {"description", ofType("string")},
                  {"remark", ofType("string")},
+                 {"message", ofType("string")},
                  {"date", seconds},
                  {"delay", seconds},
                  {"lag", ofType("number")},
@@ -44,8 +47,12 @@ class VariableWriter {
 public:
   VariableWriter(const runtime::Executable& of, bool statuses) : system(of.system) {
     for (std::uint32_t i = 0; i < of.shownVariables; ++i)
-      if (system.watched[i].display.ends_with(kStatus) == statuses) places.push_back(i);
-    for (const auto place : places) keys.push_back(dumped(name(place, statuses)) + ":");
+      if (system.watched[i].display.ends_with(kStatusSuffix) == statuses) places.push_back(i);
+    for (const auto place : places) {
+      keys.push_back(dumped(name(place, statuses)) + ":");
+      auto& all = words.emplace_back();
+      for (const auto& word : system.watched[place].words) all.push_back(dumped(word));
+    }
     for (const auto place : places)
       schema[name(place, statuses)] =
           ofType(system.watched[place].words.empty() ? "integer" : "string");
@@ -66,18 +73,26 @@ public:
     for (std::size_t i = 0; i < places.size(); ++i) {
       if (i > 0) text += ',';
       text += keys[i];
-      const auto& watched = system.watched[places[i]];
-      const auto shown = verify::shown(watched, value(places[i], state));
-      text += watched.words.empty() ? shown : dumped(shown);
+      addValue(i, value(places[i], state));
     }
     return text += '}';
   }
 
 private:
+  void addValue(std::size_t place, std::int64_t value) {
+    if (value >= 0 && static_cast<std::size_t>(value) < words[place].size()) {
+      text += words[place][static_cast<std::size_t>(value)];
+      return;
+    }
+    std::array<char, 24> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+    text.append(digits.data(), end);
+  }
+
   /// A status has the name of its skill.
   [[nodiscard]] std::string name(std::uint32_t place, bool isStatus) const {
     const auto& display = system.watched[place].display;
-    return isStatus ? display.substr(0, display.size() - kStatus.size()) : display;
+    return isStatus ? display.substr(0, display.size() - kStatusSuffix.size()) : display;
   }
   [[nodiscard]] std::int64_t value(std::uint32_t place,
                                    const std::vector<verify::Word>& state) const {
@@ -87,75 +102,75 @@ private:
   const verify::System& system;
   std::vector<std::uint32_t> places; ///< indices among the watched variables
   std::vector<std::string> keys;
+  std::vector<std::vector<std::string>> words; ///< the values of each, as JSON
   OrderedJson schema = OrderedJson::object();
   std::string text;
 };
 
 class McapRecording final : public runtime::Observer {
 public:
-  McapRecording(AddToRecording to, RunSubject subject, std::uint64_t begin)
-      : add(std::move(to)),
+  McapRecording(RecordingSink to, RunSubject subject, std::uint64_t begin, std::size_t chunkSize)
+      : file(std::move(to), chunkSize),
         lines(subject),
         variables(subject.executable, false),
         skills(subject.executable, true),
-        start(begin),
-        end(mcap::tail()) {
-    mcap::addHead(bytes);
+        start(begin) {
+    file.addMetadata(kTraceHead, "json", dumped(runHeadJson(subject)));
     addChannel(kSteps, "proskill.Step", stepSchema(), "/steps");
-    addChannel(kVariables, "proskill.Variables", variables.schemaJson(), "/variables");
-    addChannel(kSkills, "proskill.Skills", skills.schemaJson(), "/skills");
-    const auto initial = verify::initialState(subject.executable.system);
-    addMessage(kVariables, 0, variables.write(initial));
-    addMessage(kSkills, 0, skills.write(initial));
-    flush();
+    addChannel(kVariables, "proskill.Variables", variables.schemaJson(), kVariablesTopic);
+    addChannel(kSkills, "proskill.Skills", skills.schemaJson(), kSkillsTopic);
+    beginChunk(verify::initialState(subject.executable.system), 0);
+    file.flush();
   }
+  McapRecording(const McapRecording&) = delete;
+  McapRecording& operator=(const McapRecording&) = delete;
+  ~McapRecording() override { file.finish(); }
 
   void onStep(const runtime::Machine& machine, verify::TransitionId step, Nanoseconds date,
               Nanoseconds lag) override {
+    if (file.isFull()) beginChunk(machine.stateBefore(), date);
     addMessage(kSteps, date, lines.step(machine, step, date, lag));
     if (variables.changed(machine.stateBefore(), machine.state()))
       addMessage(kVariables, date, variables.write(machine.state()));
     if (skills.changed(machine.stateBefore(), machine.state()))
       addMessage(kSkills, date, skills.write(machine.state()));
-    flush();
+    file.flush();
   }
 
   void onRemark(const runtime::Remark& remark) override {
     addMessage(kSteps, remark.date, lines.remark(remark));
-    flush();
+    file.flush();
   }
 
 private:
+  /// Begins a chunk with all values, so that it can be read without the chunks before.
+  void beginChunk(const std::vector<verify::Word>& state, Nanoseconds date) {
+    file.beginChunk();
+    addMessage(kVariables, date, variables.write(state));
+    addMessage(kSkills, date, skills.write(state));
+  }
+
   void addChannel(std::uint16_t id, std::string_view name, const OrderedJson& schema,
                   std::string_view topic) {
-    mcap::addSchema(bytes, id, name, dumped(schema));
-    mcap::addChannel(bytes, id, id, topic);
+    file.addChannel(id, name, dumped(schema), topic);
   }
 
   void addMessage(std::uint16_t channel, Nanoseconds date, std::string_view json) {
-    mcap::addMessage(bytes, channel, sequence++, start + static_cast<std::uint64_t>(date), json);
+    file.addMessage(channel, start + static_cast<std::uint64_t>(date), json);
   }
 
-  void flush() {
-    add(bytes, end);
-    bytes.clear();
-  }
-
-  AddToRecording add;
+  mcap::Writer file;
   RunLines lines;
   VariableWriter variables;
   VariableWriter skills;
   std::uint64_t start;
-  std::string end;
-  std::uint32_t sequence = 0;
-  std::string bytes;
 };
 
 } // namespace
 
-std::unique_ptr<runtime::Observer> runMcap(AddToRecording add, RunSubject subject,
-                                           std::uint64_t start) {
-  return std::make_unique<McapRecording>(std::move(add), subject, start);
+std::unique_ptr<runtime::Observer> runMcap(RecordingSink sink, RunSubject subject,
+                                           std::uint64_t start, std::size_t chunkSize) {
+  return std::make_unique<McapRecording>(std::move(sink), subject, start, chunkSize);
 }
 
 } // namespace proskill::report

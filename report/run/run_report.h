@@ -25,8 +25,15 @@ struct RunSubject {
 /// One JSON object per line.
 [[nodiscard]] std::unique_ptr<runtime::Observer> runJson(std::ostream& out, RunSubject subject);
 
-/// Receives bytes to append to a recording, and the end that closes it until more is appended.
+/// Receives bytes to append to a recording, and the end that closes it until more is appended. The
+/// end is constant and may be kept.
 using AddToRecording = std::function<void(std::string_view bytes, std::string_view end)>;
+
+/// A file that also lets earlier bytes be replaced, after everything that was appended before.
+struct RecordingSink {
+  AddToRecording append;
+  std::function<void(std::uint64_t at, std::string_view bytes)> replace;
+};
 
 /// Records a run as a trace, as `proskill verify --save-traces` writes it, with remarks among its
 /// steps. Each step is added as soon as it happens.
@@ -50,15 +57,22 @@ using PushLine = std::function<bool(std::string_view line)>;
 [[nodiscard]] std::unique_ptr<runtime::Observer> runLive(PushLine push, RunSubject subject);
 
 /// Records a run as an MCAP file with channels of JSON: `/steps`, `/variables` and `/skills`, whose
-/// statuses these are.
+/// statuses these are. Each chunk begins with all values. The observer's end completes the file.
 /// \param start the run's beginning, in nanoseconds since 1970; 0: dates count from the beginning
-[[nodiscard]] std::unique_ptr<runtime::Observer> runMcap(AddToRecording add, RunSubject subject,
-                                                         std::uint64_t start);
+/// \param chunkSize at which a chunk ends, in bytes
+[[nodiscard]] std::unique_ptr<runtime::Observer>
+runMcap(RecordingSink sink, RunSubject subject, std::uint64_t start,
+        std::size_t chunkSize = std::size_t{1} << 20);
 
 /// How a run ended: "the mission has ended".
 [[nodiscard]] std::string_view toWords(runtime::End end);
 void writeRunSummary(std::ostream& out, RunSubject subject, const runtime::RunResult& result,
                      bool colour);
-void writeRunSummaryJson(std::ostream& out, const runtime::RunResult& result);
+void writeRunSummaryJson(std::ostream& out, RunSubject subject, const runtime::RunResult& result);
+/// The program's own properties with what a run has decided: a list of `{name, description,
+/// location, verdict, date, whyNot}`. \param verdicts empty: nothing is decided yet
+[[nodiscard]] OrderedJson
+runPropertiesJson(RunSubject subject,
+                  const std::vector<runtime::PropertyMonitors::Decision>& verdicts);
 
 } // namespace proskill::report

@@ -1,5 +1,6 @@
 #include "report/text/render.h"
 
+#include "analysis/program/originals.h"
 #include "report/text/snippet.h"
 #include "report/text/source_place.h"
 #include "report/text/text_width.h"
@@ -42,7 +43,7 @@ std::vector<std::pair<FileId, std::vector<Mark>>> marksByFile(const Diagnostic& 
 class Renderer {
 public:
   Renderer(std::ostream& out, const analysis::Program& program, const Paint& paint)
-      : out(out), program(program), paint(paint), places(program) {}
+      : out(out), program(program), paint(paint), places(program), originals(program) {}
 
   void print(const Diagnostic& diagnostic) {
     const Colour colour = colourOf(diagnostic.severity);
@@ -65,7 +66,11 @@ public:
           << syntax::printable(places.path(file)) << ':' << at.line << ':' << at.column << '\n';
       snippets[i].print(out, gutter, paint, colour);
     }
-    if (!diagnostic.fixes.empty()) out << paint(Colour::Blue, margin + " |") << '\n';
+    const auto original = originals.of(diagnostic.location);
+    if (original || !diagnostic.fixes.empty()) out << paint(Colour::Blue, margin + " |") << '\n';
+    if (original)
+      out << margin << paint(Colour::Blue, " = ") << paint(Colour::Bold, "from") << ": "
+          << DisplayedLine(toString(*original)).text() << '\n';
     for (const syntax::Fix& fix : diagnostic.fixes)
       out << margin << paint(Colour::Blue, " = ") << paint(Colour::Bold, "help") << ": "
           << DisplayedLine(fix.title).text() << '\n';
@@ -77,6 +82,7 @@ private:
   const analysis::Program& program;
   const Paint& paint;
   SourcePlaces places;
+  analysis::ProgramOriginals originals;
 };
 
 } // namespace

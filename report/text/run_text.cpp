@@ -48,7 +48,9 @@ public:
   void onStep(const runtime::Machine& machine, verify::TransitionId step, Nanoseconds date,
               Nanoseconds lag) override {
     static_cast<void>(lag);
-    const auto made = runStep(subject, machine, step, date, before);
+    auto made = runStep(subject, machine, step, date, before);
+    if (const auto message = runtime::printedMessage(subject.executable, machine))
+      made.description = "prints \"" + *message + "\"";
     write(made, date, Colour::Cyan);
     std::string changes;
     for (const auto& [variable, was, is] : made.changes)
@@ -63,11 +65,15 @@ public:
                         Colour::Blue);
     if (remark.kind == RemarkKind::Asked)
       return writeBelow("→ stop " + std::string(remark.subject), Colour::Blue);
-    write(runStep(subject, remark, before), remark.date,
-          isBad(remark.kind) ? Colour::Red : Colour::Yellow);
+    write(runStep(subject, remark, before), remark.date, colourOf(remark.kind));
   }
 
 private:
+  static Colour colourOf(RemarkKind kind) {
+    if (kind == RemarkKind::Holds) return Colour::Green;
+    return isBad(kind) ? Colour::Red : Colour::Yellow;
+  }
+
   void write(const ide::TraceStep& step, Nanoseconds date, Colour colour) {
     constexpr std::size_t kWords = 44;
     std::string where;
@@ -94,6 +100,25 @@ private:
   std::size_t width = 0;
   Nanoseconds before = 0;
 };
+
+/// What the run has decided about the program's own properties.
+void writeVerdicts(std::ostream& out, RunSubject subject, const runtime::RunResult& result,
+                   Paint paint) {
+  using runtime::Verdict;
+  for (const auto& [property, verdict, date] : result.verdicts) {
+    const auto& of = subject.executable.properties[property];
+    const auto& check = subject.executable.model.checks[of.check];
+    const auto why = whyNotMonitored(of);
+    auto words = std::string(toString(verdict));
+    if (verdict != Verdict::NotYet) words += fmt::format(" since {} s", secondsText(date));
+    if (!why.empty()) words += " (not monitored: " + why + ")";
+    const auto colour = verdict == Verdict::True    ? Colour::Green
+                        : verdict == Verdict::False ? Colour::Red
+                                                    : Colour::Dim;
+    const auto* mark = verdict == Verdict::True ? "✓" : verdict == Verdict::False ? "✗" : "…";
+    out << fmt::format("  {} {}: {}\n", paint(colour, mark), syntax::printable(check.name), words);
+  }
+}
 
 } // namespace
 
@@ -126,6 +151,7 @@ void writeRunSummary(std::ostream& out, RunSubject subject, const runtime::RunRe
                        paint(status == "success" ? Colour::Green : Colour::Yellow, status));
   if (!result.failure.empty()) out << ": " << result.failure;
   out << '\n';
+  writeVerdicts(out, subject, result, paint);
   if (result.bad > 0)
     out << paint(Colour::Red, fmt::format("{} thing{} should not have happened", result.bad,
                                           result.bad == 1 ? "" : "s"))

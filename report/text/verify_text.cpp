@@ -1,12 +1,14 @@
 #include "report/text/paint.h"
 #include "report/text/source_place.h"
 #include "report/verify_report.h"
+#include "syntax/text/seconds.h"
 #include "syntax/text/utf8.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <ostream>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -162,7 +164,7 @@ void writeSummary(std::ostream& out, const VerifyReport& report, const Paint& pa
   auto errors = count(
       [](const auto& row) { return row.bad() && row.check->weight == codegen::Weight::Error; });
   auto warnings = static_cast<std::ptrdiff_t>(rows.size()) - good - open - errors;
-  out << fmt::format("{} properties: {}", rows.size(),
+  out << fmt::format("{} propert{}: {}", rows.size(), rows.size() == 1 ? "y" : "ies",
                      paint(Colour::Green, fmt::format("{} good", good)));
   if (errors > 0) out << ", " << paint(Colour::Red, fmt::format("{} bad", errors));
   if (warnings > 0)
@@ -174,6 +176,10 @@ void writeSummary(std::ostream& out, const VerifyReport& report, const Paint& pa
                      explored.classes, explored.markings, explored.transitions,
                      bytesText(explored.bytes), explored.seconds,
                      explored.complete ? "" : "; stopped: " + withOption(explored.stopped));
+  if (explored.ranks > 0)
+    out << fmt::format("{} rank{} sent {} messages with {}\n", explored.ranks,
+                       explored.ranks == 1 ? "" : "s", explored.messages,
+                       bytesText(explored.sentBytes));
   if (explored.known > 0)
     out << fmt::format("{} of {} verdicts were known from before\n",
                        std::min<std::uint64_t>(explored.known, rows.size()), rows.size());
@@ -202,7 +208,64 @@ void writeTrace(std::ostream& out, const VerifyReport& report, const ide::Verdic
   else if (row.trace->end && row.trace->rest == verify::Rest::Allowed)
     out << "    and nothing has to happen any more\n";
   else if (row.trace->end)
-    out << fmt::format("    and nothing else until {} s\n", syntax::toString(*row.trace->end));
+    out << fmt::format("    and nothing else until {}\n", syntax::secondsText(*row.trace->end));
+}
+
+/// Where time can stop, durations are those of the other runs.
+std::string_view measuredRuns(const VerifyReport& report) {
+  const bool mayStop = std::ranges::any_of(report.result.rows, [](const ide::VerdictRow& row) {
+    return row.check->kind == "time_progress" && row.verdict == ide::Verdict::Violated;
+  });
+  return mayStop ? "over runs in which time goes on: `program.time_progress` is violated"
+                 : "over all runs";
+}
+
+/// Only with `--durations`.
+void writeDurations(std::ostream& out, const VerifyReport& report, const Paint& paint) {
+  if (report.durations.empty()) return;
+  std::size_t width = 0;
+  for (const auto& each : report.durations) width = std::max(width, countCharacters(each.skill));
+  out << '\n' << paint(Colour::Bold, fmt::format("durations, {}", measuredRuns(report))) << '\n';
+  for (const auto& each : report.durations) {
+    const auto text = ide::durationText(each);
+    out << fmt::format("  {}  {}\n", padded(each.skill, width),
+                       text.empty() ? paint(Colour::Yellow, "inconclusive") : text);
+  }
+}
+
+/// \param said the sentences so far, none of which is repeated
+void writeSizeRow(std::ostream& out, const VerifyReport& report, const ide::SizeRow& row,
+                  const Paint& paint, std::set<std::string>& said) {
+  const auto clocks = row.clocks == 0   ? std::string()
+                      : row.clocks == 1 ? std::string(", 1 clock")
+                                        : fmt::format(", {} clocks", row.clocks);
+  out << fmt::format("  {:>8} × {}: {} values{}", fmt::format("{:.1f}", row.factor),
+                     paint(Colour::Cyan, row.name), row.values, clocks);
+  if (row.location) out << "  " << paint(Colour::Dim, place(report.program, *row.location));
+  out << '\n';
+  for (const auto& sentence : row.advice)
+    if (said.insert(sentence).second)
+      out << std::string(13, ' ') << paint(Colour::Dim, sentence) << '\n';
+}
+
+/// Only with `--explain-size`.
+void writeSize(std::ostream& out, const VerifyReport& report, const Paint& paint) {
+  if (!report.size) return;
+  constexpr std::size_t kMostRows = 20;
+  std::set<std::string> said;
+  constexpr double kLittle = 1.095; ///< is printed as 1.1
+  out << '\n' << paint(Colour::Bold, "where the states come from") << '\n';
+  for (const auto& sentence : sizeSummary(*report.size)) out << "  " << sentence << '\n';
+  for (const auto& row : report.size->kinds)
+    if (row.factor > kLittle) writeSizeRow(out, report, row, paint, said);
+  std::size_t shown = 0;
+  for (const auto& row : report.size->rows) {
+    if (row.factor < kLittle || shown == kMostRows) break;
+    if (shown++ == 0) out << "  one by one:\n";
+    writeSizeRow(out, report, row, paint, said);
+  }
+  if (const auto rest = report.size->rows.size() - shown; rest > 0)
+    out << fmt::format("  and {} more with smaller factors\n", rest);
 }
 
 void writeText(std::ostream& out, const VerifyReport& report, bool colour) {
@@ -217,8 +280,11 @@ void writeText(std::ostream& out, const VerifyReport& report, bool colour) {
     out << fmt::format("\n{} {}\n", paint(mark.colour, ide::toString(row.verdict)),
                        paint(Colour::Bold, row.check->description));
     if (row.location) out << "  --> " << place(report.program, *row.location) << '\n';
+    if (row.original) out << "  from " << syntax::printable(toString(*row.original)) << '\n';
     writeTrace(out, report, row, colour);
   }
+  writeDurations(out, report, paint);
+  writeSize(out, report, paint);
   out << '\n';
   writeSummary(out, report, paint);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <poll.h>
+#include <sys/prctl.h>
 #include <time.h>
 
 namespace proskill::runtime {
@@ -33,7 +34,11 @@ class RealClock final : public Clock {
 public:
   explicit RealClock(double times) : factor(times) {}
 
-  void start() override { begin = machineTime(); }
+  void start() override {
+    // Otherwise the system may let every wait of this thread end 50 µs late.
+    prctl(PR_SET_TIMERSLACK, 1);
+    begin = machineTime();
+  }
 
   Nanoseconds now() override {
     const auto passed = machineTime() - begin;
@@ -65,7 +70,31 @@ private:
   std::vector<pollfd> watched; ///< a member, to avoid allocations
 };
 
+class TickingClock final : public Clock {
+public:
+  TickingClock(std::unique_ptr<Clock> of, Nanoseconds each) : inner(std::move(of)), period(each) {}
+
+  void start() override { inner->start(); }
+  Nanoseconds now() override { return inner->now() / period * period; }
+  void wait(std::optional<Nanoseconds> date, const std::vector<int>& descriptors) override {
+    if (date && *date <= now()) return;
+    inner->wait(date ? std::optional((*date + period - 1) / period * period) : std::nullopt,
+                descriptors);
+    const auto reached = inner->now(); // a report may have come between ticks
+    if (reached % period != 0) inner->wait((reached / period + 1) * period, {});
+  }
+  [[nodiscard]] bool isReal() const override { return inner->isReal(); }
+
+private:
+  std::unique_ptr<Clock> inner;
+  Nanoseconds period;
+};
+
 } // namespace
+
+std::unique_ptr<Clock> tickingClock(std::unique_ptr<Clock> inner, Nanoseconds period) {
+  return std::make_unique<TickingClock>(std::move(inner), period);
+}
 
 std::unique_ptr<Clock> simulatedClock() { return std::make_unique<SimulatedClock>(); }
 std::unique_ptr<Clock> realClock(double factor) { return std::make_unique<RealClock>(factor); }

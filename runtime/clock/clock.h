@@ -30,4 +30,8 @@ public:
 /// \param factor speed relative to real time
 [[nodiscard]] std::unique_ptr<Clock> realClock(double factor = 1);
 
+/// A clock whose owner sees its time in ticks: `now` is the last one, and each wait ends at one.
+/// \param period of a tick, in the time of the clock
+[[nodiscard]] std::unique_ptr<Clock> tickingClock(std::unique_ptr<Clock> inner, Nanoseconds period);
+
 } // namespace proskill::runtime

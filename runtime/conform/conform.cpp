@@ -1,6 +1,7 @@
 #include "runtime/conform/conform.h"
 
-#include "runtime/conform/offline_model.h"
+#include "runtime/conform/claims.h"
+#include "runtime/conform/conformance_model.h"
 #include "verify/trace/step_description.h"
 
 #include <fmt/format.h>
@@ -30,7 +31,7 @@ struct TooMany {};
 /// Keeps the set of states that the model can be in after the recorded steps.
 class Follower {
 public:
-  Follower(const OfflineModel& of, Nanoseconds by)
+  Follower(const ConformanceModel& of, Nanoseconds by)
       : model(of), tolerance(by), simulator(of.system, 1), now{simulator.start()} {}
 
   ConformResult follow(const RecordedRun& run) {
@@ -139,16 +140,12 @@ private:
   [[nodiscard]] bool isThis(const RecordedStep& step, const Concrete& before,
                             const Concrete& after) const {
     const auto& origins = model.model.provenance.origins;
-    const auto passes = [&](auto&& test) {
-      return std::ranges::any_of(log.origins, [&](auto id) { return test(origins[id]); });
-    };
-    const bool says =
-        passes([&](const fiacre::Origin& it) { return keyOf(it) == keyOf(step.what); });
-    const bool isThere = step.what.begin == step.what.end || passes([&](const fiacre::Origin& it) {
-                           return it.file == step.what.file && it.begin == step.what.begin &&
-                                  it.end == step.what.end;
-                         });
-    if (!says || !isThere) return false;
+    const bool says = std::ranges::any_of(log.origins, [&](fiacre::OriginId id) {
+      const auto& it = origins[id];
+      return keyOf(it) == keyOf(step.what) && it.file == step.what.file &&
+             it.begin == step.what.begin && it.end == step.what.end;
+    });
+    if (!says) return false;
     const auto changes = changesBetween(model.system, before.state, after.state);
     return std::ranges::equal(changes, step.changes, [](const auto& a, const auto& b) {
       return a.variable == b.variable && a.before == b.before && a.after == b.after;
@@ -188,12 +185,12 @@ private:
           result.why = fmt::format("`{}` is still running", what.actor);
           result.assumption =
               fmt::format("`{}` has run for {}; its interval promises at most {}", what.actor,
-                          secondsText(step.date - since), secondsText(*interval.upper));
+                          secondsText(step.date - since), secondsText(*model.promised[id].upper));
         } else if (model.isOfEvent[id]) {
           result.why = fmt::format("`{}` has not come", what.actor);
           result.assumption =
               fmt::format("`{}` has not come for {}; its `:every` promises at most {}", what.actor,
-                          secondsText(step.date - since), secondsText(*interval.upper));
+                          secondsText(step.date - since), secondsText(*model.promised[id].upper));
         } else {
           result.why = fmt::format("before this `{}` {}", what.actor, what.description);
         }
@@ -210,16 +207,15 @@ private:
         const auto next = simulator.take(state, id, step.date, log);
         if (!next || !isThis(step, state, *next)) continue;
         const auto age = step.date - since->second;
-        const auto& interval = model.system.transitions[id].interval;
         result.why = "it comes too early";
         if (model.isOfAction[id])
           result.assumption =
               fmt::format("`{}` took {}; its interval promises at least {}", step.what.actor,
-                          secondsText(age), secondsText(interval.lower));
+                          secondsText(age), secondsText(model.promised[id].lower));
         else if (model.isOfEvent[id])
           result.assumption =
               fmt::format("`{}` came after {}; its `:every` promises at least {}", step.what.actor,
-                          secondsText(age), secondsText(interval.lower));
+                          secondsText(age), secondsText(model.promised[id].lower));
         return;
       }
     if (step.what.description == "its action ends without a known result")
@@ -231,7 +227,7 @@ private:
     return all.empty() ? fiacre::Origin{} : model.model.provenance.origins[all.back()];
   }
 
-  const OfflineModel& model;
+  const ConformanceModel& model;
   Nanoseconds tolerance;
   verify::Simulator simulator;
   States now;
@@ -245,9 +241,17 @@ private:
 
 std::expected<ConformResult, NotExecutable>
 conform(const analysis::Program& program, const RecordedRun& run, const ConformOptions& options) {
-  const auto model = offlineModel(program, options.mainSkill, run.environment, options.tolerance);
+  const auto executed = makeExecutable(program, options.mainSkill, run.environment);
+  if (!executed) return std::unexpected(executed.error());
+  const auto model =
+      conformanceModel(program, **executed, options.mainSkill, run.environment, options.tolerance);
   if (!model) return std::unexpected(model.error());
-  return Follower(**model, options.tolerance).follow(run);
+  auto result = Follower(**model, options.tolerance).follow(run);
+  const auto wrong = contradiction(**executed, run);
+  if (!wrong || (result.verdict != Conformance::Conforms && result.step <= wrong->step))
+    return result;
+  return ConformResult{
+      .verdict = Conformance::Deviates, .step = wrong->step, .why = wrong->why, .assumption = ""};
 }
 
 } // namespace proskill::runtime

@@ -16,7 +16,9 @@ enum class Conformance : std::uint8_t {
 /// Whether a recorded run is a run of the model.
 struct ConformResult {
   Conformance verdict = Conformance::Conforms;
-  std::size_t step = 0;   ///< Deviates, Unknown: the first step that no run explains
+  /// Deviates, Unknown: the first step that no run explains; the number of steps if what is
+  /// recorded after them is wrong.
+  std::size_t step = 0;
   std::string why;        ///< the reason, for users
   std::string assumption; ///< the assumption of the model that was violated, if known
 };
@@ -29,7 +31,8 @@ struct ConformOptions {
 
 /// Follows a recorded run through all runs of the verified model that have the same steps at the
 /// same dates. Steps that a recording does not contain (watchdogs; the environment, unless it was
-/// executed) may happen in between.
+/// executed) may happen in between. Initial values, messages and the calls of actions have to be
+/// those of the program.
 [[nodiscard]] std::expected<ConformResult, NotExecutable>
 conform(const analysis::Program& program, const RecordedRun& run, const ConformOptions& options);
 

@@ -7,12 +7,27 @@ namespace proskill::runtime {
 RecordedStep recorded(const Executable& executable, const Machine& machine,
                       verify::TransitionId step, Nanoseconds date) {
   auto described = lastStep(executable, machine, step);
+  const auto stops = stoppingAction(executable, machine);
   RecordedStep made{.date = date,
                     .what = {},
                     .changes = std::move(described.changes),
-                    .stops = stoppingSkill(executable, machine)};
+                    .stops = stops ? executable.model.performed[*stops].skill : "",
+                    .message = printedMessage(executable, machine).value_or("")};
   const auto& origins = executable.model.provenance.origins;
   if (!described.origins.empty()) made.what = origins[described.origins.back()];
+  return made;
+}
+
+RecordedCall recorded(const Executable& executable, const Start& start, Nanoseconds date,
+                      std::size_t after) {
+  RecordedCall made{.after = after,
+                    .date = date,
+                    .skill = executable.model.performed[start.action].skill,
+                    .command = "",
+                    .arguments = {}};
+  if (!start.call) return made;
+  made.command = start.call->command;
+  made.arguments = start.call->arguments;
   return made;
 }
 

@@ -1,8 +1,7 @@
 #include "runtime/executor/executor.h"
 
+#include "runtime/executor/description.h"
 #include "runtime/executor/stopwatch.h"
-#include "verify/compile/watch.h"
-#include "verify/state/evaluate.h"
 
 #include <algorithm>
 #include <unistd.h>
@@ -15,14 +14,15 @@ namespace {
 
 class Executor {
 public:
-  Executor(const Executable& of, Clock& with, Platform& on, Observer& told, const RunOptions& given)
+  Executor(const Executable& of, Clock& with, Platform& on, Observer& by, const RunOptions& given)
       : executable(of),
         clock(with),
         platform(on),
-        observer(told),
+        observer(by),
         options(given),
         machine(of, given.seed),
         watch(of),
+        properties(of.system, of.properties, of.unit),
         runs(of.actions.size()) {
     platform.addDescriptors(descriptors);
     if (options.stopDescriptor >= 0) descriptors.push_back(options.stopDescriptor);
@@ -30,11 +30,13 @@ public:
 
   RunResult run() {
     clock.start();
+    properties.start(machine.state().data(), decided);
     while (!ended) step();
     result.date = date;
     goOn();
     closePlatform();
-    result.missionStatus = missionStatus();
+    result.missionStatus = missionStatus(executable, machine);
+    result.verdicts = properties.verdicts();
     return std::move(result);
   }
 
@@ -43,7 +45,7 @@ private:
     RunNumber number = 0;
     bool isRunning = false;
     bool isStopping = false;
-    Nanoseconds askedAt = 0;
+    Nanoseconds stopBy = 0; ///< isStopping: the date by which the platform must have stopped it
   };
 
   /// Takes the next step: an urgent one, else the first that is due, else what the platform
@@ -77,6 +79,7 @@ private:
     stepsAtOnce = 0;
     date = to;
     watch.tellOvershoots(date, [&](const Remark& remark) { tell(remark); });
+    properties.wait(machine.state().data(), date, decided);
   }
 
   /// Reports that a run is late, because the machine was suspended or the process was stopped.
@@ -97,6 +100,7 @@ private:
     };
     if (due) limit(due->date);
     limit(watch.nextOvershoot());
+    limit(properties.nextDecision(machine.state().data()));
     limit(graceEnd());
     if (!first && !platform.mayReport()) return end(End::Stuck);
     limit(options.until);
@@ -114,10 +118,24 @@ private:
     result.maxLag = std::max(result.maxLag, lag);
     observer.onStep(machine, step, at, lag);
     for (const auto origin : machine.log().origins)
-      if (executable.isAlarm[origin]) tellAlarm(origin);
+      if (executable.isAlarm[origin]) tell(alarmOf(executable, origin, date));
+    properties.step({.before = machine.stateBefore().data(),
+                     .after = machine.state().data(),
+                     .events = machine.log().events,
+                     .date = at,
+                     .asksToStop = asksToStop(handling.action)},
+                    decided);
     if (handling.stretch != verify::kNone)
       watch.follow(handling.stretch, machine, at, [&](const Remark& remark) { tell(remark); });
     if (handling.action != verify::kNone) follow(handling.action);
+  }
+
+  /// Whether the last step only asks an action to stop.
+  [[nodiscard]] bool asksToStop(std::uint32_t action) const {
+    if (action == verify::kNone) return false;
+    const auto& of = executable.actions[action];
+    const auto to = machine.location(of.instance);
+    return machine.locationBefore(of.instance) == of.run && to != of.run && to != of.idle;
   }
 
   /// Starts or stops the action of a basic skill after one of its steps.
@@ -150,7 +168,7 @@ private:
     auto& run = runs[action];
     watch.end(action);
     run.isStopping = true;
-    run.askedAt = date;
+    run.stopBy = afterGrace();
     tell({.kind = RemarkKind::Asked, .date = date, .subject = nameOf(action)});
     if (platform.stop(action, run.number, date)) returned(action, kUnknownResult);
   }
@@ -201,23 +219,13 @@ private:
     tell({.kind = RemarkKind::Note,
           .date = date,
           .subject = of.name,
-          .text = of.interrupts ? "there is nothing to interrupt"
-                                : "ignored: the program's environment generates this event"});
+          .text = whyIgnored(executable.model, of)});
   }
 
   [[nodiscard]] bool missionIsOver() const {
     if (executable.mission == verify::kNone) return false;
     return machine.location(executable.mission) == executable.missionEnded &&
            std::ranges::none_of(runs, &Run::isRunning);
-  }
-
-  [[nodiscard]] std::string missionStatus() const {
-    for (const auto& watched : executable.system.watched)
-      if (executable.mission != verify::kNone &&
-          watched.display == executable.model.mainSkill + ".status")
-        return verify::shown(
-            watched, verify::readCell(executable.system, watched.cell, machine.state().data()));
-    return "";
   }
 
   [[nodiscard]] int stopRequests() const {
@@ -228,6 +236,8 @@ private:
   /// waits for their ends.
   void shutDown() {
     goOn();
+    const auto due = machine.due(); // is not taken any more: no run of the model is later
+    passTimeTo(due ? std::min(due->date, clock.now()) : clock.now());
     tell({.kind = RemarkKind::Note, .date = date, .text = "asked to end: actions are stopped"});
     std::vector<std::uint32_t> running;
     for (std::uint32_t i = 0; i < runs.size(); ++i)
@@ -239,7 +249,7 @@ private:
       runs[action].isStopping = true;
       if (platform.stop(action, runs[action].number, date)) runs[action].isRunning = false;
     }
-    awaitStops(date + options.grace);
+    awaitStops(afterGrace());
     const bool all = std::ranges::none_of(runs, &Run::isRunning);
     for (std::uint32_t i = 0; i < runs.size(); ++i)
       if (runs[i].isRunning)
@@ -262,7 +272,7 @@ private:
 
   void closePlatform() {
     platform.close();
-    const auto deadline = date + options.grace;
+    const auto deadline = afterGrace();
     while (!platform.isClosed() && date < deadline && !isUrged())
       if (!hearLastWord() && !platform.isClosed()) wait(deadline);
     while (platform.isClosed() && hearLastWord()) {
@@ -298,12 +308,16 @@ private:
     return stopRequests() >= 2;
   }
 
-  /// The date by which the platform must have stopped an action.
+  /// The end of a time that the platform gets from now on. The last step may be long ago.
+  [[nodiscard]] Nanoseconds afterGrace() const {
+    return std::max(clock.now(), date) + options.grace;
+  }
+
+  /// The first date by which the platform must have stopped an action.
   [[nodiscard]] std::optional<Nanoseconds> graceEnd() const {
     std::optional<Nanoseconds> first;
     for (const auto& run : runs)
-      if (run.isRunning && run.isStopping && (!first || run.askedAt + options.grace < *first))
-        first = run.askedAt + options.grace;
+      if (run.isRunning && run.isStopping && (!first || run.stopBy < *first)) first = run.stopBy;
     return first;
   }
 
@@ -312,7 +326,7 @@ private:
   bool giveUpSlowStop() {
     for (std::uint32_t i = 0; i < runs.size(); ++i) {
       auto& run = runs[i];
-      if (!run.isRunning || !run.isStopping || run.askedAt + options.grace > date) continue;
+      if (!run.isRunning || !run.isStopping || run.stopBy > date) continue;
       tell({.kind = RemarkKind::Fault,
             .date = date,
             .subject = nameOf(i),
@@ -340,16 +354,6 @@ private:
           .text = report.text});
   }
 
-  void tellAlarm(fiacre::OriginId origin) {
-    const auto& of = executable.model.provenance.origins[origin];
-    const bool isGuard = executable.model.alarms.at(origin) == codegen::Alarm::FailedInvariant;
-    tell({.kind = isGuard ? RemarkKind::GuardFailed : RemarkKind::Alarm,
-          .date = date,
-          .subject = of.actor,
-          .text = of.description,
-          .origin = origin});
-  }
-
   [[nodiscard]] std::string_view nameOf(std::uint32_t action) const {
     return executable.model.performed[action].skill;
   }
@@ -361,6 +365,10 @@ private:
   const RunOptions& options;
   Machine machine;
   Stopwatch watch;
+  PropertyMonitors properties;
+  const PropertyMonitors::Decided decided = [this](const auto& made) {
+    tell(remarkOf(executable, made));
+  };
   std::vector<Run> runs; ///< by action
   std::vector<int> descriptors;
   Report report;

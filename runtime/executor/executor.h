@@ -3,6 +3,7 @@
 #include "runtime/clock/clock.h"
 #include "runtime/control/pause.h"
 #include "runtime/executor/observer.h"
+#include "runtime/monitor/property_monitors.h"
 
 #include <atomic>
 
@@ -41,6 +42,8 @@ struct RunResult {
   Nanoseconds maxLag = 0;
   std::string missionStatus; ///< such as `success`; empty if there is no mission
   std::string failure;       ///< Failed: the reason
+  /// Verdicts on the program's own properties, by Executable::properties.
+  std::vector<PropertyMonitors::Decision> verdicts;
 };
 
 /// Executes a program. Urgent steps are taken at once, steps with a time at that time, and steps of

@@ -12,18 +12,20 @@ enum class RemarkKind : std::uint8_t {
   Asked,       ///< an action was asked to stop
   GuardFailed, ///< an invariant was violated, and its skill ends
   Note,        ///< a remark without effect on the run
+  Holds,       ///< one of the program's properties is true, however the run goes on
   // Faults:
   Undershoot, ///< it took less time than its interval allows
   Overshoot,  ///< it takes more time than its interval allows
   Alarm,      ///< a step has an origin in codegen::Model::alarms
   Fault,      ///< the platform violates the protocol
+  Violated,   ///< one of the program's properties is false, however the run goes on
 };
 
 /// A remark on the run, which is not a step.
 struct Remark {
   RemarkKind kind = RemarkKind::Note;
   Nanoseconds date = 0;
-  std::string_view subject; ///< a skill or an event; empty: the run
+  std::string_view subject; ///< a skill, an event or a property; empty: the run
   std::string_view text;
   fiacre::OriginId origin = 0;  ///< its place in the program, if any
   const Start* start = nullptr; ///< Started: the action and its arguments

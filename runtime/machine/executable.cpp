@@ -1,5 +1,6 @@
 #include "runtime/machine/executable.h"
 
+#include "runtime/machine/monitored.h"
 #include "verify/compile/compile.h"
 #include "verify/state/evaluate.h"
 #include "verify/state/state_layout.h"
@@ -7,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace proskill::runtime {
 
@@ -28,6 +30,17 @@ Span spanOfInterval(const fiacre::Interval& interval, Nanoseconds unit) {
   return span;
 }
 
+/// Passes an open lower bound by up to a millisecond: after one nanosecond, a loop that waits
+/// `]0,2]` would take a thousand million steps a second.
+Span datesOfStep(const fiacre::Interval& interval, Nanoseconds unit) {
+  auto span = spanOfInterval(interval, unit);
+  if (!interval.lowerOpen) return span;
+  const auto bound = span.first - 1;
+  const auto later = bound + kSecond / 1000;
+  span.first = span.last ? std::min(later, std::midpoint(bound, *span.last + 1)) : later;
+  return span;
+}
+
 class Maker {
 public:
   Maker(Executable& to, verify::System system) : made(to) { made.system = std::move(system); }
@@ -44,6 +57,8 @@ public:
     }
     findMission();
     findRoles();
+    for (const auto& [origin, message] : made.model.messages)
+      for (const auto& part : message) made.messages[origin].push_back(partOf(part));
     made.isAlarm.assign(made.model.provenance.origins.size(), false);
     for (const auto& [origin, alarm] : made.model.alarms) made.isAlarm[origin] = true;
   }
@@ -108,6 +123,17 @@ private:
             .span = spanOfInterval(measured.interval, made.unit)};
   }
 
+  [[nodiscard]] MessagePart partOf(const codegen::MessagePart& part) const {
+    MessagePart to{part.text, {}, part.constant, part.isValue};
+    const auto& all = made.system.watched;
+    for (const auto& [factor, variable] : part.terms) {
+      const auto found = std::ranges::find(all, variable, &verify::WatchedCell::display);
+      if (found == all.end()) return {"?", {}};
+      to.terms.push_back({factor, static_cast<std::uint32_t>(found - all.begin())});
+    }
+    return to;
+  }
+
   void findMission() {
     if (made.model.missionProcess.empty()) return;
     made.mission = instanceOf(made.model.missionProcess);
@@ -152,7 +178,7 @@ private:
     else if (!transition.urgent)
       handling.role = drawn ? Role::Drawn : Role::Timed;
     if (handling.role != Role::External)
-      handling.span = spanOfInterval(transition.interval, made.unit);
+      handling.span = datesOfStep(transition.interval, made.unit);
     return handling;
   }
 
@@ -164,6 +190,32 @@ private:
 
   Executable& made;
 };
+
+/// Compiles a model with its questions. A question that the engine does not support gets a goal
+/// that says so.
+std::expected<verify::Compiled, verify::Unsupported>
+compileAsked(const fiacre::Program& program, const fiacre::Provenance& provenance,
+             const std::vector<verify::Question>& questions) {
+  auto whole = verify::compile(program, provenance, questions);
+  if (whole || questions.empty()) return whole;
+  std::vector<verify::Question> possible;
+  std::vector<std::string> reasons;
+  for (const auto& question : questions) {
+    auto alone = verify::compile(program, provenance, {question});
+    reasons.push_back(alone ? "" : alone.error().message);
+    if (alone) possible.push_back(question);
+  }
+  auto made = verify::compile(program, provenance, possible);
+  if (!made) return made;
+  auto goal = made->goals.begin();
+  std::vector<verify::Goal> all;
+  for (const auto& reason : reasons)
+    all.push_back(reason.empty()
+                      ? std::move(*goal++)
+                      : verify::Goal{.kind = verify::GoalKind::Unsupported, .reason = reason});
+  made->goals = std::move(all);
+  return made;
+}
 
 } // namespace
 
@@ -184,12 +236,14 @@ makeExecutable(const analysis::Program& program, const std::string& mainSkill, b
   if (!model) return std::unexpected(std::move(model.error()));
   auto made = std::make_unique<Executable>();
   made->model = std::move(*model);
+  const auto questions = addNegations(made->model);
   auto provenance = made->model.provenance;
   for (const auto& performed : made->model.performed)
     provenance.watched.push_back({performed.numberCell, performed.numberCell, {}});
-  auto compiled = verify::compile(made->model.fiacre, provenance, {});
+  auto compiled = compileAsked(made->model.fiacre, provenance, questions);
   if (!compiled) return std::unexpected(NotExecutable{compiled.error().message, {}});
   try {
+    made->properties = monitored(made->model, compiled->goals);
     Maker(*made, verify::withStateLayout(std::move(compiled->system))).make();
   } catch (Refused& refused) {
     return std::unexpected(std::move(refused.error));

@@ -2,10 +2,12 @@
 
 #include "analysis/program/program.h"
 #include "codegen/model.h"
+#include "runtime/machine/monitored.h"
 #include "verify/model/system.h"
 #include "verify/state/enabled.h"
 
 #include <expected>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -63,6 +65,18 @@ struct Handling {
   std::uint32_t stretch = verify::kNone;
 };
 
+/// A part of a message that a body prints: see codegen::MessagePart.
+struct MessagePart {
+  struct Term {
+    std::int64_t factor = 1;
+    std::uint32_t watched = 0; ///< index into System::watched
+  };
+  std::string text; ///< if there are no terms
+  std::vector<Term> terms;
+  std::int64_t constant = 0;
+  bool isValue = false;
+};
+
 struct Executable {
   codegen::Model model;
   verify::System system;
@@ -80,6 +94,8 @@ struct Executable {
   std::int64_t missionEnded = 0;
   /// Number of watched variables that users see; the rest are numbers of arguments.
   std::size_t shownVariables = 0;
+  std::map<fiacre::OriginId, std::vector<MessagePart>> messages;
+  std::vector<Monitored> properties; ///< the program's own, which a run decides
 
   /// The call that a started action makes. \pre the state contains the number of its arguments
   [[nodiscard]] const codegen::ActionCall* callOf(std::uint32_t action,

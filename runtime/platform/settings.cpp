@@ -24,9 +24,10 @@ public:
 
   void script(const Json& file) {
     allowMembers(file, {"$schema", "actions", "signals"}, "the script");
-    for (const auto& [name, value] : objectAt(file, "actions"))
-      for (const auto& ending : listOf(value, name))
-        settings.endings[actionNamed(name)].push_back(endingOf(name, ending));
+    for (const auto& [name, value] : objectAt(file, "actions")) {
+      auto& endings = settings.endings[actionNamed(name)];
+      for (const auto& ending : listOf(value, name)) endings.push_back(endingOf(name, ending));
+    }
     if (file.contains("signals")) {
       // with a script, nothing else happens
       std::ranges::fill(settings.signals, std::nullopt);

@@ -178,19 +178,19 @@ std::vector<TextEdit> newLine(const Document& document, Offset caret) {
   return edits;
 }
 
-/// The form that ends there; empty if there is none.
-Range formEndingAt(const Boxes& boxes, Offset end) {
-  for (const Box& box : boxes)
-    if (box.shape == BoxShape::Form && box.range.end == end) return box.range;
+/// The definition that ends there; empty if there is none.
+Range definitionEndingAt(const Boxes& boxes, Offset end) {
+  for (std::size_t at = 0; at < boxes.size(); at += boxes[at].size)
+    if (boxes[at].shape == BoxShape::Form && boxes[at].range.end == end) return boxes[at].range;
   return {};
 }
 
-std::vector<TextEdit> closedForm(const Document& document, Offset caret) {
+std::vector<TextEdit> closedDefinition(const Document& document, Offset caret) {
   for (const Region& region : document.regions()) {
     if (caret <= region.range.begin || caret > region.range.end) continue;
     auto boxes = boxesOf(document.text(), region);
     if (!boxes) return {};
-    auto closed = formEndingAt(*boxes, caret);
+    auto closed = definitionEndingAt(*boxes, caret);
     Layout layout(document.text());
     layout.leave({0, region.range.begin});
     layout.region(*boxes);
@@ -233,7 +233,7 @@ std::vector<TextEdit> formatRange(const Document& document, Range lines) {
 std::vector<TextEdit> formatTyped(const Document& document, Offset caret, char typed) {
   if (inCommentOrString(document, caret)) return {};
   if (typed == '\n') return newLine(document, caret);
-  if (typed == ')') return closedForm(document, caret);
+  if (typed == ')') return closedDefinition(document, caret);
   return {};
 }
 

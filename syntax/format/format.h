@@ -23,8 +23,10 @@ inline constexpr std::uint32_t kLineWidth = 100;
 [[nodiscard]] std::vector<TextEdit> formatRange(const Document& document, Range lines);
 
 /// Formatting while typing: the edits after `typed` was typed just before `caret`. After a line
-/// end, the new line is indented; after `)`, the form that it closes is formatted. No edits for
-/// other characters, nor in comments and strings. No edit touches anything after the caret's line.
+/// end, the new line is indented; after the `)` that ends a definition, the definition is
+/// formatted. Not after others: editors insert the `)` of a form with its `(`, and take one that is
+/// typed for it only as long as nothing else changes the line. No edits for other characters, nor
+/// in comments and strings. No edit touches anything after the caret's line.
 [[nodiscard]] std::vector<TextEdit> formatTyped(const Document& document, Offset caret, char typed);
 
 /// Whether two texts have the same tokens and comments in the same order, regardless of white space

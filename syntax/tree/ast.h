@@ -73,6 +73,9 @@ enum class ExprKind : std::uint8_t {
   Finally,
   Next,
   Until,
+  WeakUntil,
+  Release,
+  StrongRelease,
 };
 
 /// A condition, a value, or an argument.
@@ -142,6 +145,7 @@ struct Event {
   Name name;
   List<FieldUse> fields;
   std::optional<Interval> every; ///< between two occurrences, and from the start to the first
+  std::optional<Expr> guard;     ///< the event occurs only while it holds
   Effects effects;
 };
 
@@ -289,6 +293,9 @@ enum class PropertyKind : std::uint8_t {
   Precedes,
   Present,
   Absent,
+  AlwaysReachable,
+  Longest,
+  Shortest,
   Ltl,
 };
 
@@ -305,6 +312,7 @@ struct Property {
   std::optional<Interval> forDuration;
   std::optional<Expr> lasting; ///< seconds
   std::optional<bool> fair;    ///< whether only fair runs count; absent: the default
+  List<Name> fairSkills;       ///< fair: skills whose actions and waits end; empty: all skills
 };
 
 struct Environment {

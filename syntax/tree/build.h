@@ -79,6 +79,8 @@ std::optional<Interval> intervalOf(Builder& builder, Field& field);
 /// Temporal operators are allowed in formulas, not in conditions and propositions.
 enum class Context : std::uint8_t { Condition, Proposition, Formula };
 Expr expressionOf(Builder& builder, const Node& node, Context context = Context::Condition);
+/// The condition that is the only value of a field. Missing, with a diagnostic, otherwise.
+Expr conditionOf(Builder& builder, Field& field);
 /// The next condition. Missing, with a diagnostic, if there is none.
 Expr takeCondition(Builder& builder, Parts& parts, const Name& head);
 /// All remaining parts as effects. None, with a diagnostic, if nothing remains.

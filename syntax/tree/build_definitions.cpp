@@ -11,7 +11,7 @@ namespace {
 Keywords fieldsOf(NodeKind definition) {
   switch (definition) {
   case NodeKind::StateVariable: return {":states", ":init", ":transitions", ":min", ":max"};
-  case NodeKind::Event: return {":every", ":effects"};
+  case NodeKind::Event: return {":every", ":guard", ":effects"};
   case NodeKind::Resource: return {":capacity"};
   case NodeKind::Environment: return {":body"};
   default:
@@ -160,11 +160,13 @@ StateVariable stateVariableOf(Builder& builder, Definition& definition) {
 }
 
 Event eventOf(Builder& builder, Definition& definition) {
-  Event event{definition.name, definition.uses, {}, {}};
+  Event event{definition.name, definition.uses, {}, {}, {}};
   event.effects.range = {definition.name.range.end, definition.name.range.end};
   for (Field& field : definition.fields)
     if (field.kind == NodeKind::EveryField)
       event.every = intervalOf(builder, field);
+    else if (field.kind == NodeKind::GuardField)
+      event.guard = conditionOf(builder, field);
     else
       event.effects = takeEffects(builder, field.values, field.use.keyword);
   return event;

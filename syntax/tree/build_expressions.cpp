@@ -29,7 +29,10 @@ Arity arityOf(ExprKind kind) {
   case ExprKind::Globally:
   case ExprKind::Finally:
   case ExprKind::Next: return {1, 1, "one formula"};
-  case ExprKind::Until: return {2, 2, "two formulas"};
+  case ExprKind::Until:
+  case ExprKind::WeakUntil:
+  case ExprKind::Release:
+  case ExprKind::StrongRelease: return {2, 2, "two formulas"};
   default: return {2, 2, "two operands"};
   }
 }
@@ -50,6 +53,9 @@ ExprKind kindOfOperator(const Node& node, std::string_view head) {
   case NodeKind::Finally: return ExprKind::Finally;
   case NodeKind::Next: return ExprKind::Next;
   case NodeKind::Until: return ExprKind::Until;
+  case NodeKind::WeakUntil: return ExprKind::WeakUntil;
+  case NodeKind::Release: return ExprKind::Release;
+  case NodeKind::StrongRelease: return ExprKind::StrongRelease;
   default: break;
   }
   if (head == "=") return ExprKind::Equal;
@@ -194,7 +200,10 @@ Expr expressionOf(Builder& builder, const Node& node, Context context) {
   case NodeKind::Globally:
   case NodeKind::Finally:
   case NodeKind::Next:
-  case NodeKind::Until: readOperation(builder, node, expression, context); break;
+  case NodeKind::Until:
+  case NodeKind::WeakUntil:
+  case NodeKind::Release:
+  case NodeKind::StrongRelease: readOperation(builder, node, expression, context); break;
   case NodeKind::Running: readObservation(builder, node, expression, ExprKind::Running); break;
   case NodeKind::Called: readObservation(builder, node, expression, ExprKind::Called); break;
   case NodeKind::Ended: readObservation(builder, node, expression, ExprKind::Ended); break;
@@ -204,6 +213,15 @@ Expr expressionOf(Builder& builder, const Node& node, Context context) {
   default: reportNoCondition(builder, node);
   }
   return expression;
+}
+
+Expr conditionOf(Builder& builder, Field& field) {
+  const Node* value = onlyValue(builder, field, "a condition, such as `(motion Free)`");
+  if (value) return expressionOf(builder, *value);
+  Expr missing;
+  Offset end = field.use.keyword.range.end;
+  missing.range = {end, end};
+  return missing;
 }
 
 Expr takeCondition(Builder& builder, Parts& parts, const Name& head) {

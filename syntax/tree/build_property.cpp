@@ -15,12 +15,15 @@ std::optional<Pattern> patternOf(NodeKind kind) {
   case NodeKind::Always: return Pattern{PropertyKind::Always, 1, "one condition"};
   case NodeKind::Never: return Pattern{PropertyKind::Never, 1, "one condition"};
   case NodeKind::Reachable: return Pattern{PropertyKind::Reachable, 1, "one condition"};
+  case NodeKind::AlwaysReachable: return Pattern{PropertyKind::AlwaysReachable, 1, "one condition"};
   case NodeKind::DeadlockFree: return Pattern{PropertyKind::DeadlockFree, 0, "no condition"};
   case NodeKind::InfinitelyOften: return Pattern{PropertyKind::InfinitelyOften, 1, "one condition"};
   case NodeKind::LeadsTo: return Pattern{PropertyKind::LeadsTo, 2, "two conditions"};
   case NodeKind::Precedes: return Pattern{PropertyKind::Precedes, 2, "two conditions"};
   case NodeKind::Present: return Pattern{PropertyKind::Present, 1, "one condition"};
   case NodeKind::Absent: return Pattern{PropertyKind::Absent, 1, "one condition"};
+  case NodeKind::Longest: return Pattern{PropertyKind::Longest, 2, "two conditions"};
+  case NodeKind::Shortest: return Pattern{PropertyKind::Shortest, 2, "two conditions"};
   case NodeKind::Ltl: return Pattern{PropertyKind::Ltl, 1, "one formula"};
   default: return std::nullopt;
   }
@@ -53,14 +56,19 @@ std::optional<Expr> propositionField(Builder& builder, Field& field) {
   return expressionOf(builder, *value, Context::Proposition);
 }
 
-std::optional<bool> fairField(Builder& builder, Field& field) {
-  constexpr auto kNeeds = "`t` or `nil`";
+/// `t`, `nil`, or the skills whose actions and waits end.
+void readFair(Builder& builder, Field& field, Property& property) {
+  constexpr auto kNeeds = "`t`, `nil` or a list of skills";
   const Node* value = onlyValue(builder, field, kNeeds);
-  if (!value) return std::nullopt;
+  if (!value) return;
   const auto word = builder.textOf(*value);
-  if (word == "t" || word == "nil") return word == "t";
-  reportMalformed(builder, field, *value, kNeeds);
-  return std::nullopt;
+  if (value->kind == NodeKind::List) property.fairSkills = namesOf(builder, *value);
+  if (word == "nil")
+    property.fair = false;
+  else if (word == "t" || !property.fairSkills.empty())
+    property.fair = true;
+  else
+    reportMalformed(builder, field, *value, kNeeds);
 }
 
 /// Whether `:fair` can make a difference: the verdict depends on infinite runs.
@@ -103,7 +111,7 @@ void readField(Builder& builder, const Node& node, Property& property) {
   case NodeKind::AfterField: property.after = propositionField(builder, field); return;
   case NodeKind::BeforeField: property.before = propositionField(builder, field); return;
   case NodeKind::WithinField: property.within = intervalField(builder, field); return;
-  case NodeKind::FairField: property.fair = fairField(builder, field); return;
+  case NodeKind::FairField: readFair(builder, field, property); return;
   case NodeKind::ForField: property.forDuration = intervalField(builder, field); return;
   default: property.lasting = secondsField(builder, field);
   }

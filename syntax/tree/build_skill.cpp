@@ -73,15 +73,6 @@ bool reportLoose(Builder& builder, Parts& parts, std::string_view owner) {
   return reported;
 }
 
-Expr conditionField(Builder& builder, Field& field) {
-  const Node* value = onlyValue(builder, field, "a condition, such as `(motion Free)`");
-  if (value) return expressionOf(builder, *value);
-  Expr missing;
-  Offset end = field.use.keyword.range.end;
-  missing.range = {end, end};
-  return missing;
-}
-
 Keywords fieldsOfClause(std::string_view owner) {
   if (owner == ":invariant") return {":guard", ":effects"};
   if (owner == ":interrupt") return {":effects"};
@@ -124,7 +115,7 @@ bool readClause(Builder& builder, const Node& clause, std::string_view owner, Ef
     else if (field.kind == NodeKind::UnknownField)
       reportUnknownField(builder, field, owner, fieldsOfClause(owner));
     else
-      condition = {field.use.range, conditionField(builder, field)};
+      condition = {field.use.range, conditionOf(builder, field)};
   }
   return !empty && !loose;
 }

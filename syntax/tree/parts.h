@@ -39,7 +39,7 @@ auto of(Is<Arm> auto& x) { return std::tie(x.keyword, x.condition, x.pattern, x.
 auto of(Is<UnknownForm> auto& x) { return std::tie(x.head, x.name); }
 auto of(Is<Include> auto& x) { return std::tie(x.path); }
 auto of(Is<Constant> auto& x) { return std::tie(x.name, x.value); }
-auto of(Is<Event> auto& x) { return std::tie(x.name, x.fields, x.every, x.effects); }
+auto of(Is<Event> auto& x) { return std::tie(x.name, x.fields, x.every, x.guard, x.effects); }
 auto of(Is<Resource> auto& x) { return std::tie(x.name, x.fields, x.capacity); }
 auto of(Is<Environment> auto& x) { return std::tie(x.name, x.fields, x.body); }
 auto of(Is<ReadForm> auto& x) { return std::tie(x.range, x.keyword, x.node); }
@@ -57,7 +57,7 @@ auto of(Is<Skill> auto& x) {
 }
 auto of(Is<Property> auto& x) {
   return std::tie(x.name, x.bodyRange, x.head, x.operands, x.fields, x.after, x.before, x.within,
-                  x.forDuration, x.lasting);
+                  x.forDuration, x.lasting, x.fairSkills);
 }
 
 template <class Visit> struct Walk {

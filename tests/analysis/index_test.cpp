@@ -63,7 +63,8 @@ TEST_CASE("skills are found where they are called, interrupted and observed") {
                     "(defsv m :states (A) :init A)"
                     "(defskill go :body ((// (([[fly]])) ((^ 1) ([[f^ly]].interrupt)))"
                     "  (if (= [[fly]].status success) (^ 1))))"
-                    "(defproperty p (reachable (running [[fly]])))");
+                    "(defproperty p (reachable (running [[fly]])))"
+                    "(defproperty q (infinitelyoften (m A) :fair (go [[fly]])))");
 }
 
 TEST_CASE("inputs are found with and without their dollar") {

@@ -28,6 +28,8 @@ TEST_CASE("what is defined nowhere is told at its name") {
   CHECK(findings(kWorld + "(defskill grasp :resources (arm hand) :action (grasp))") ==
         "PS0206 hand");
   CHECK(findings(kWorld + "(defenvironment e :body ((emit full)))") == "PS0204 full");
+  CHECK(findings(kWorld + "(defproperty p (infinitelyoften (battery Low) :fair (landing)))") ==
+        "PS0201 landing");
   CHECK(findings("(defskill s :input ($x real) :action (s $x))") == "PS0209 real");
 }
 
@@ -110,23 +112,23 @@ TEST_CASE("a definition that is missing is told once, with all that would use it
   CHECK(often[0].related.back().message == "used here too, and 89 more times");
 }
 
-TEST_CASE("a misspelt definition is told once, and mended where it stands") {
-  auto mended = [](std::string text) {
+TEST_CASE("a misspelt definition is told once, and fixed where it stands") {
+  auto fixed = [](std::string text) {
     const auto found = diagnose(text);
     if (found.size() != 1 || found[0].fixes.size() != 1) return findings(text);
     const auto& fix = found[0].fixes[0];
     text.replace(fix.location.range.begin, fix.location.range.length(), fix.text);
     return findings(text);
   };
-  CHECK(mended("(defskill tak :action (take))\n(defskill mission :body ((take) (^ 1) (take)))") ==
+  CHECK(fixed("(defskill tak :action (take))\n(defskill mission :body ((take) (^ 1) (take)))") ==
         "");
-  CHECK(mended("(defsv light :states (Of On) :init Off)\n(defevent e :effects (light Off))") == "");
-  CHECK(mended("(defskill s :input ($hight nat) :action (s $height))\n"
-               "(defskill mission :body ((s height 1)))") == "");
-  CHECK(mended(mission("(label agian) (^ 1) (if (level 1) (goto again)) (goto again)")) == "");
-  CHECK(mended("(defsv moton :states (A B) :init A)\n"
-               "(defskill s :input ($x motion) :precondition (a (motion A)) :action (s $x))\n"
-               "(defskill mission :body ((s x A)))") == "");
+  CHECK(fixed("(defsv light :states (Of On) :init Off)\n(defevent e :effects (light Off))") == "");
+  CHECK(fixed("(defskill s :input ($hight nat) :action (s $height))\n"
+              "(defskill mission :body ((s height 1)))") == "");
+  CHECK(fixed(mission("(label agian) (^ 1) (if (level 1) (goto again)) (goto again)")) == "");
+  CHECK(fixed("(defsv moton :states (A B) :init A)\n"
+              "(defskill s :input ($x motion) :precondition (a (motion A)) :action (s $x))\n"
+              "(defskill mission :body ((s x A)))") == "");
 }
 
 TEST_CASE("a use that is misspelt is a mistake of its own, with an edit of its own") {
@@ -194,6 +196,13 @@ TEST_CASE("no tag is called as the absence of one") {
         "PS0222 no_result, PS0222 no_result");
   CHECK(findings("(defskill s :action (s)) (defskill m :body ((s) (^ (= s.res no_result))))") ==
         "");
+}
+
+TEST_CASE("no skill is called as a statement, which nothing could call") {
+  for (const std::string word : {"if", "case", "while", "do", "break", "label", "goto", "set",
+                                 "printf", "success", "failure", "emit", "choose", "race"})
+    CHECK(findings("(defskill " + word + " :action (x))") == "PS0222 " + word);
+  CHECK(findings("(defskill wait :action (x)) (defskill m :body ((wait)))") == "");
 }
 
 TEST_CASE("nothing that is compared is called as a truth value") {

@@ -200,6 +200,16 @@ TEST_CASE("properties observe, programs do not") {
   CHECK(findings(mission("(^ (at up))")) == "PS0310 at");
 }
 
+TEST_CASE("the guard of an event is a condition, and goes with no times") {
+  const auto guarded = [](const std::string& fields) {
+    return findings(kWorld + "(defevent beat " + fields + " :effects (level 1))");
+  };
+  CHECK(guarded(":guard (> level 0)") == "");
+  CHECK(guarded(":guard (nothing 0)") == "PS0202 nothing");
+  CHECK(guarded(":guard (running survey)") == "PS0310 running");
+  CHECK(guarded(":every [1,5] :guard (> level 0)") == "PS0419 (> level 0)");
+}
+
 TEST_CASE("an event that comes by itself leaves time between, and nobody emits it") {
   const std::string set = " :effects (level 1))";
   const auto every = [&](const std::string& interval) {

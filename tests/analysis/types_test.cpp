@@ -76,7 +76,34 @@ TEST_CASE("an enumeration has its values") {
         "PS0203 C, PS0203 D");
 }
 
-TEST_CASE("parameters are passed on, not tested") {
+TEST_CASE("an input whose type is a state variable has its values in conditions and effects") {
+  auto skill = [](const std::string& fields) {
+    return findings(
+        "(defsv room :states (Hall Attic) :init Hall) (defsv level :init 0 :min 0 :max 3)"
+        "(defsv lamp :states (On Off) :init On)"
+        "(defskill s :input ($to room $by level) " +
+        fields + " :action (x $to $by)) (defskill m :body ((s to Hall by 2)))");
+  };
+  CHECK(skill(":precondition (a (/= $to room) b (room $to) c (= Hall $to) d (< $by 2))") == "");
+  CHECK(skill(":success ok (:effects ((room $to) (level (+ level $by))))") == "");
+  CHECK(skill(":invariant (i (:guard (= $to Cellar)))") == "PS0203 Cellar");
+  CHECK(skill(":start (lamp $to)") == "PS0302 $to");
+  CHECK(skill(":start (lamp $by)") == "PS0302 $by");
+  CHECK(skill(":start (level $to)") == "PS0302 $to");
+  CHECK(skill(":precondition (a (= $to lamp))") == "PS0303 (= $to lamp)");
+  CHECK(skill(":precondition (a (> $to 1))") == "PS0304 $to");
+  CHECK(skill(":precondition (a (= $by 7))") == "PS0305 7");
+  CHECK(skill(":precondition (a (room $from))") == "PS0208 from");
+}
+
+TEST_CASE("only skills have inputs") {
+  const std::string room = "(defsv room :states (Hall Attic) :init Hall) ";
+  CHECK(findings(room + "(defevent e :effects (room $to))") == "PS0311 $to");
+  CHECK(findings(room + "(defproperty p (never (room $to)))") == "PS0311 $to");
+  CHECK(findings(room + "(defenvironment e :body ((^ (room $to))))") == "PS0311 $to");
+}
+
+TEST_CASE("other parameters are passed on, not tested") {
   auto body = [](const std::string& text) {
     return findings(kWorld + "(defskill s :input ($p nat) :body (" + text +
                     ")) (defskill m :body ((s p 1)))");

@@ -12,7 +12,7 @@ public:
   std::string node(int depth) {
     ++count;
     if (depth == 0 || count > 12 || random.chance(25)) return leaf();
-    switch (random.below(10)) {
+    switch (random.below(14)) {
     case 0:
     case 1: return several(random.chance(75) ? "Sequence" : "SequenceWithMemory", "", depth);
     case 2: return several("Fallback", "", depth);
@@ -20,6 +20,10 @@ public:
     case 4: return reactive(depth);
     case 5: return parallel(depth);
     case 6: return choice(depth);
+    case 7: return ofNav2(depth);
+    case 8: return rare(depth);
+    case 9:
+    case 10: return withScript(node(depth));
     default: return decorator(depth);
     }
   }
@@ -51,8 +55,43 @@ private:
     return text;
   }
 
+  /// A script decides about a node.
+  std::string withScript(std::string node) {
+    const auto script =
+        random.pick<std::string>({"_skipIf", "_skipIf", "_while", "_failureIf", "_successIf"});
+    if (!node.substr(0, node.find('>')).contains(script))
+      node.insert(node.find_first_of(" />", 1), " " + script + "=\"x\"");
+    return node;
+  }
+
+  std::string rare(int depth) {
+    switch (random.below(5)) {
+    case 0:
+      return element(random.chance(60) ? "RunOnce" : "RunOnce then_skip=\"false\"",
+                     node(depth - 1));
+    case 1: return element("SkipUnlessUpdated entry=\"{x}\"", node(depth - 1));
+    case 2: {
+      const auto otherwise = random.pick<std::string>({"SUCCESS", "FAILURE", "SKIPPED", "RUNNING"});
+      return element("Precondition if=\"x\" else=\"" + otherwise + "\"", node(depth - 1));
+    }
+    case 3: {
+      const auto elements = random.pick<std::string>({"1", "1;2", "1;2;3", "{queue}"});
+      const auto otherwise = random.pick<std::string>({"SUCCESS", "SUCCESS", "FAILURE", "SKIPPED"});
+      return element("LoopInt queue=\"" + elements + "\" if_empty=\"" + otherwise + "\"",
+                     node(depth - 1));
+    }
+    default: return element("TryCatch", children(2 + random.below(2), depth));
+    }
+  }
+
+  /// Any child but the first may be skipped.
   std::string several(const std::string& tag, const std::string& ports, int depth) {
-    return element(tag + ports, children(1 + random.below(3), depth));
+    auto text = node(depth - 1);
+    for (std::size_t more = random.below(3); more > 0; --more) {
+      auto child = node(depth - 1);
+      text += random.chance(25) ? withScript(child) : child;
+    }
+    return element(tag + ports, text);
   }
 
   /// Mostly conditions first, then what may run.
@@ -85,6 +124,21 @@ private:
     if (random.chance(40)) return element("IfThenElse", node(depth - 1) + children(number, depth));
     if (random.chance(60)) return element("WhileDoElse", guard() + children(number, depth));
     return element("Switch2 variable=\"{x}\" case_1=\"1\" case_2=\"2\"", children(3, depth));
+  }
+
+  std::string ofNav2(int depth) {
+    const auto number = 1 + random.below(3);
+    switch (random.below(7)) {
+    case 4: return element("PersistentSequence", children(number, depth));
+    case 5: return element("NonblockingSequence", children(number, depth));
+    case 6: return element("PauseResumeController", children(1 + random.below(4), depth));
+    case 0: return element("RoundRobin", children(number, depth));
+    case 1: return element("PipelineSequence", children(number, depth));
+    case 2: return element("RateController hz=\"1\"", node(depth - 1));
+    default:
+      return element(fmt::format("RecoveryNode number_of_retries=\"{}\"", random.below(3)),
+                     children(2, depth));
+    }
   }
 
   std::string decorator(int depth) {

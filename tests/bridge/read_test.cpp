@@ -1,15 +1,18 @@
 #include "analysis/program/program.h"
 #include "bridge/bt/import.h"
+#include "bridge/bt/read/script.h"
+#include "tests/bridge/errors_text.h"
 #include "tests/support/memory_files.h"
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <fmt/format.h>
 
 using namespace proskill;
 using namespace proskill::test;
+using bridge::Leaves;
 using bridge::bt::importTree;
-using bridge::bt::Leaves;
 
 namespace {
 
@@ -21,22 +24,15 @@ std::string treeOf(const std::string& node) {
   return rooted("<BehaviorTree ID=\"Main\">\n" + node + "\n</BehaviorTree>\n");
 }
 
-/// All errors, one per line, or "none".
 std::string errorsIn(const std::map<std::string, std::string>& files) {
-  const auto imported = importTree(MemoryFiles(files), "main.xml", Leaves());
-  if (imported) return "none";
-  std::string text;
-  for (const auto& [place, message] : imported.error())
-    text += fmt::format("{}:{}:{}: {}\n", place.file.generic_string(), place.line, place.column,
-                        message);
-  return text;
+  return errorsText(importTree(MemoryFiles(files), "main.xml", Leaves(), {}));
 }
 
 std::string errorsIn(const std::string& xml) { return errorsIn({{"main.xml", xml}}); }
 
 std::string textOf(const std::string& xml, const std::string& leaves = "{}") {
   const auto imported =
-      importTree(MemoryFiles({{"main.xml", xml}}), "main.xml", *Leaves::read(leaves));
+      importTree(MemoryFiles({{"main.xml", xml}}), "main.xml", *Leaves::read(leaves), {});
   REQUIRE(imported);
   return imported->text;
 }
@@ -57,15 +53,31 @@ TEST_CASE("errors in a tree have places") {
         "main.xml:3:1: `Repeat` needs a number of rounds from 1 to 1,000,000, or -1\n");
   CHECK(errorsIn(treeOf("<Strange><A/></Strange>")) ==
         "main.xml:3:1: control node or decorator `Strange` is not supported\n");
-  CHECK(errorsIn(treeOf("<A _skipIf=\"x\"/>")) == "main.xml:3:1: `_skipIf` is not supported\n");
+  CHECK(errorsIn(treeOf("<Parallel>\n<A _skipIf=\"x\"/></Parallel>")) ==
+        "main.xml:4:1: a node that may be skipped is only supported below a sequence, a fallback, "
+        "a `TryCatch` or a loop over a queue\n");
+  CHECK(errorsIn(treeOf("<SequenceWithMemory><A _skipIf=\"x\"/></SequenceWithMemory>")) ==
+        "main.xml:3:1: a `SequenceWithMemory` whose children may all be skipped is not "
+        "supported\n");
+  CHECK(errorsIn(treeOf("<Sequence><A/><B _skipIf=\"x\"/></Sequence>")) == "none");
+  CHECK(errorsIn(treeOf("<A _whille=\"x\"/>")) ==
+        "main.xml:3:1: `_whille` is not an attribute of BehaviorTree.CPP\n");
+  CHECK(errorsIn(treeOf("<RunOnce then_skip=\"maybe\"><A/></RunOnce>")) ==
+        "main.xml:3:1: `then_skip` must be `true` or `false`\n");
+  CHECK(errorsIn(treeOf("<Precondition if=\"x\" else=\"no\"><A/></Precondition>")) ==
+        "main.xml:3:1: `else` must be SUCCESS, FAILURE, SKIPPED or RUNNING\n");
+  CHECK(errorsIn(treeOf("<LoopInt queue=\"1;2\" if_empty=\"RUNNING\"><A/></LoopInt>")) ==
+        "main.xml:3:1: `if_empty` must be SUCCESS, FAILURE or SKIPPED\n");
+  CHECK(errorsIn(treeOf("<TryCatch catch_on_halt=\"true\"><A/><B/></TryCatch>")) ==
+        "main.xml:3:1: `catch_on_halt` is not supported\n");
   CHECK(contains(errorsIn(treeOf("<ReactiveSequence><A/><B/></ReactiveSequence>")),
                  "main.xml:3:1: a `ReactiveSequence` with 2 children that can run"));
 }
 
 TEST_CASE("errors in a file have places") {
-  CHECK(errorsIn("<root>\n</root>") ==
-        "main.xml:1:1: `root` needs `BTCPP_format=\"4\"`\nmain.xml:1:1: there is no "
-        "`BehaviorTree`\n");
+  CHECK(errorsIn("<root>\n</root>") == "main.xml:1:1: there is no `BehaviorTree`\n");
+  CHECK(errorsIn("<root BTCPP_format=\"3\"><BehaviorTree ID=\"A\"><X/></BehaviorTree></root>") ==
+        "main.xml:1:1: `BTCPP_format` must be 4\n");
   CHECK(errorsIn("<root>\n  <a>\n</root>") ==
         "main.xml:3:3: not well-formed XML: mismatched tag\n");
   CHECK(contains(errorsIn(""), "main.xml:1:1: not well-formed XML"));
@@ -77,6 +89,56 @@ TEST_CASE("errors in a file have places") {
                         "<BehaviorTree ID=\"A\"><X/></BehaviorTree>\n",
                         " main_tree_to_execute=\"B\"")) ==
         "main.xml:3:1: the tree `A` is defined twice\nmain.xml:1:1: there is no tree `B`\n");
+}
+
+TEST_CASE("scripts have their form, and nodes what they cannot do without") {
+  CHECK(errorsIn(treeOf("<Sequence><Script/>\n<Script code=\"x := := 3 )\"/>\n"
+                        "<ScriptCondition code=\"((\"/>\n<SetBlackboard output_key=\"x\"/>"
+                        "</Sequence>")) ==
+        "main.xml:3:11: `Script` needs an attribute `code`\n"
+        "main.xml:4:1: this is not a script: unexpected `:=`\n"
+        "main.xml:5:1: this is not a script: it ends too early\n"
+        "main.xml:6:1: `SetBlackboard` needs an attribute `value`\n");
+  using bridge::bt::scriptError;
+  for (const auto* good : {"x := 3", "a=1; b += -2.5 ;", "val >= 10 && !(msg == 'a;b' || x)",
+                           "x := (y > 0) ? 'p' : 'q'", "@root := 0x1F | ~2", "a..b == 'c'",
+                           "x := y ? 1 : z ? 2 : 3", "ok", "a == b; c"})
+    CHECK(scriptError(good) == std::nullopt);
+  for (const auto* bad : {"", " ", "x :=", "3 )", "(a", "a b", "x := 'y", "a ? b", "a : b", "a; )",
+                          "1 + := 2", "a # b", "x + y := 3"})
+    CHECK(scriptError(bad) != std::nullopt);
+}
+
+TEST_CASE("the errors of a file are reported besides those of its includes") {
+  CHECK(errorsIn(rooted("<include path=\"no.xml\"/>\n<BehaviorTree ID=\"Main\"><Sequence/>"
+                        "</BehaviorTree>\n")) ==
+        "main.xml:2:1: cannot read `no.xml`: no such file\n"
+        "main.xml:3:25: `Sequence` must have at least 1 child, not 0\n");
+}
+
+TEST_CASE("a tree without a name, and one of several that is chosen") {
+  CHECK(
+      contains(textOf(rooted("<BehaviorTree><A/></BehaviorTree>\n")), "(defskill BehaviorTree_0"));
+  const MemoryFiles files({{"main.xml", rooted("<BehaviorTree ID=\"M\"><A/></BehaviorTree>\n"
+                                               "<BehaviorTree ID=\"N\"><B/></BehaviorTree>\n")}});
+  CHECK(contains(errorsText(importTree(files, "main.xml", Leaves(), {})), "`--main` chooses one"));
+  CHECK(contains(importTree(files, "main.xml", Leaves(), {}, "N")->text, "(defskill N"));
+  CHECK(contains(errorsText(importTree(files, "main.xml", Leaves(), {}, "O")), "no tree `O`"));
+}
+
+TEST_CASE("ports that a model does not declare, and leaves that may be conditions, are named") {
+  const auto model = "</BehaviorTree><TreeNodesModel><Action ID=\"A\">"
+                     "<input_port name=\"p\"/></Action><Action ID=\"B\"/></TreeNodesModel>\n";
+  const auto imported = importTree(
+      MemoryFiles({{"main.xml", rooted("<BehaviorTree ID=\"M\"><Sequence><A p=\"1\" q=\"2\"/>"
+                                       "<B r=\"3\"/></Sequence>" +
+                                       std::string(model))}}),
+      "main.xml", Leaves(), {});
+  REQUIRE(imported);
+  REQUIRE(imported->summary.size() == 2);
+  CHECK(contains(imported->summary[0], "`q` is not a port that `TreeNodesModel` declares for `A`"));
+  CHECK(contains(errorsIn(treeOf("<ReactiveSequence><A/><B/></ReactiveSequence>")),
+                 "; if `A` is a condition, a file of `--leaves` may say so"));
 }
 
 TEST_CASE("trees and files that contain themselves are errors") {
@@ -95,6 +157,13 @@ TEST_CASE("input that is too deep or too large ends in an error") {
   std::string deep;
   for (int i = 0; i < 100'000; ++i) deep += "<Inverter>";
   CHECK(contains(errorsIn(deep), "elements are nested too deeply"));
+  std::string tests;
+  std::string ends;
+  for (int i = 0; i < 100; ++i) tests += "<IfThenElse>";
+  for (int i = 0; i < 100; ++i) ends += "<Condition ID=\"D\"/></IfThenElse>";
+  CHECK(contains(errorsIn(treeOf("<ReactiveSequence>" + tests + "<Condition ID=\"C\"/>" + ends +
+                                 "<A/></ReactiveSequence>")),
+                 "so many `IfThenElse` in each other"));
   std::string doubled;
   for (int i = 0; i < 40; ++i)
     doubled += fmt::format("<BehaviorTree ID=\"T{0}\"><Sequence><SubTree ID=\"T{1}\"/>"
@@ -102,6 +171,23 @@ TEST_CASE("input that is too deep or too large ends in an error") {
                            i, i + 1);
   doubled += "<BehaviorTree ID=\"T40\"><A/></BehaviorTree>\n";
   CHECK(contains(errorsIn(rooted(doubled, " main_tree_to_execute=\"T0\"")), "is too large"));
+}
+
+TEST_CASE("nodes that are nested deeply are imported without trying all ways through them") {
+  for (const auto& [open, close] : {std::pair{"<Inverter>", "</Inverter>"},
+                                    {"<ForceSuccess>", "</ForceSuccess>"},
+                                    {"<Parallel>", "<B/></Parallel>"},
+                                    {"<ParallelAll>", "<B/></ParallelAll>"},
+                                    {"<RecoveryNode>", "<B/></RecoveryNode>"},
+                                    {"<TryCatch>", "<B/></TryCatch>"},
+                                    {"<PauseResumeController>", "<B/></PauseResumeController>"}}) {
+    INFO(open);
+    std::string before;
+    std::string after;
+    for (int i = 0; i < 200; ++i) before += open;
+    for (int i = 0; i < 200; ++i) after += close;
+    CHECK(errorsIn(treeOf(before + "<A/>" + after)) == "none");
+  }
 }
 
 TEST_CASE("a file that is included gives its trees, and ports are remapped") {
@@ -113,9 +199,9 @@ TEST_CASE("a file that is included gives its trees, and ports are remapped") {
                           " main_tree_to_execute=\"Main\"")},
       {"sub/go.xml", rooted("<BehaviorTree ID=\"Go\">\n<Sequence><At place=\"{where}\"/>"
                             "<Drive to=\"{where}\"/></Sequence></BehaviorTree>")}};
-  const auto imported = importTree(MemoryFiles(files), "main.xml", Leaves());
+  const auto imported = importTree(MemoryFiles(files), "main.xml", Leaves(), {});
   REQUIRE(imported);
-  CHECK(contains(imported->text, "; sub/go.xml:3:11 At\n(defsv At\n"));
+  CHECK(contains(imported->text, "; from sub/go.xml:3:11 At\n(defsv At\n"));
   CHECK(contains(imported->text, "(defsv At_2\n"));
   CHECK_FALSE(contains(imported->text, "(defsv At_3\n")); // {goal} is one entry
   CHECK(contains(imported->text, ":action (Drive \"{goal}\")"));
@@ -158,7 +244,7 @@ TEST_CASE("the summary names what was approximated") {
   const auto imported =
       importTree(MemoryFiles({{"main.xml", treeOf("<Sequence><ScriptCondition code=\"x\"/>\n"
                                                   "<A _failureIf=\"y\"/></Sequence>")}}),
-                 "main.xml", Leaves());
+                 "main.xml", Leaves(), {});
   REQUIRE(imported);
   CHECK_FALSE(imported->exact);
   REQUIRE(imported->summary.size() == 4);
@@ -168,4 +254,75 @@ TEST_CASE("the summary names what was approximated") {
   CHECK(imported->summary[2] ==
         "main.xml:4:1: approximated: the script of `_failureIf` may have any result");
   CHECK(contains(imported->summary[3], "over-approximate"));
+}
+
+TEST_CASE("a node that may be skipped has a third outcome") {
+  const auto text = textOf(treeOf("<Sequence><SubTree ID=\"Go\"/><A/></Sequence></BehaviorTree>\n"
+                                  "<BehaviorTree ID=\"Go\"><B _while=\"x\"/>")
+                               .insert(5, " main_tree_to_execute=\"Main\""));
+  CHECK(contains(text, "(if (B_while No)\n        (failure skipped))"));
+  CHECK(contains(text, "((^ (B_while No)))"));
+  CHECK(contains(text, "(Go)\n     (if (= Go.res skipped)\n        (goto skipped))"));
+}
+
+TEST_CASE("loops over spelt-out queues, RunOnce and TryCatch are exact") {
+  const auto isExact = [](const std::string& node) {
+    const MemoryFiles files({{"main.xml", treeOf(node)}});
+    const auto imported = importTree(files, "main.xml", Leaves(), {});
+    REQUIRE(imported);
+    return imported->exact;
+  };
+  CHECK(isExact("<LoopString queue=\"a;b\" value=\"{x}\"><A/></LoopString>"));
+  CHECK(isExact("<RunOnce><A/></RunOnce>"));
+  CHECK(isExact("<TryCatch><A/><B/><C/></TryCatch>"));
+  CHECK_FALSE(isExact("<LoopString queue=\"{all}\" value=\"{x}\"><A/></LoopString>"));
+  CHECK_FALSE(isExact("<Sequence><A _while=\"x\"/></Sequence>"));
+}
+
+TEST_CASE("types of leaves that differ have actions that differ, and the summary says so") {
+  const MemoryFiles files(
+      {{"main.xml", treeOf("<Sequence><Move-Base/><Move_Base/><Mov\u00e9/></Sequence>")}});
+  const auto imported = importTree(files, "main.xml", Leaves(), {});
+  REQUIRE(imported);
+  CHECK(contains(imported->text, ":action (Move_Base)"));
+  CHECK(contains(imported->text, ":action (Move_Base_2)"));
+  const auto says = [&](const std::string& line) {
+    return std::ranges::find(imported->summary, line) != imported->summary.end();
+  };
+  CHECK(says("the action of `Move-Base` is called `Move_Base`"));
+  CHECK(says("the action of `Move_Base` is called `Move_Base_2`"));
+  CHECK(says("the action of `Mov\u00e9` is called `Mov__`"));
+}
+
+TEST_CASE("a condition of Nav2 is one under the name that Nav2 registers, too") {
+  CHECK_FALSE(
+      contains(textOf(treeOf("<Sequence><GlobalUpdatedGoal/><GloballyUpdatedGoal/></Sequence>")),
+               ":action"));
+}
+
+TEST_CASE("a tree of Nav2 is imported, with its own nodes and conditions") {
+  const std::string xml = R"(<root main_tree_to_execute="MainTree">
+<BehaviorTree ID="MainTree">
+  <RecoveryNode number_of_retries="6" name="Navigate">
+    <PipelineSequence name="WithReplanning">
+      <RateController hz="1.0"><ComputePath/></RateController>
+      <FollowPath/>
+    </PipelineSequence>
+    <ReactiveFallback name="Recover">
+      <GoalUpdated/>
+      <RoundRobin name="Actions"><Spin/><Wait/></RoundRobin>
+    </ReactiveFallback>
+  </RecoveryNode>
+</BehaviorTree>
+</root>)";
+  const auto imported = importTree(MemoryFiles({{"main.xml", xml}}), "main.xml", Leaves(), {});
+  REQUIRE(imported);
+  CHECK(imported->summary[0] == "`BTCPP_format` is missing: read as version 4");
+  CHECK(imported->summary[1] ==
+        "not declared in `TreeNodesModel`, taken as actions: ComputePath, FollowPath, Spin, Wait");
+  CHECK(contains(imported->text, "(defsv GoalUpdated\n"));
+  CHECK(contains(imported->text, "(if (>= Navigate_retries 6)"));
+  CHECK(contains(imported->text, "(^ (= WithReplanning_passed_1 1))"));
+  CHECK(errorsIn(treeOf("<RecoveryNode number_of_retries=\"x\"><A/><B/></RecoveryNode>")) ==
+        "main.xml:3:1: `number_of_retries` must be a number from 0 to 1,000,000\n");
 }

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "bridge/bt/tree/leaves.h"
+#include "bridge/bt/tree/tree.h"
+#include "bridge/text/leaves.h"
 
 #include <set>
 
@@ -10,6 +11,7 @@ namespace proskill::test {
 struct Observed {
   bool success = false;
   bool failure = false;
+  bool skipped = false;
   std::set<std::string> started;                          ///< names of actions
   std::set<std::pair<std::string, std::string>> together; ///< two that run at once, in order
 
@@ -23,8 +25,8 @@ struct Observed {
 /// Explores a tree tick by tick, as BehaviorTree.CPP executes it: the tree is ticked at any time;
 /// an action that is ticked runs on or ends with a result that it may have; a condition has any
 /// result at each reading. It shares the tree with the translation, and nothing else.
-/// \return nothing if there are more than `limit` states
+/// \return nothing if there are more than `limit` states, or 100 times as many ticks
 [[nodiscard]] std::optional<Observed> observe(const bridge::bt::Node& tree,
-                                              const bridge::bt::Leaves& leaves, std::size_t limit);
+                                              const bridge::Leaves& leaves, std::size_t limit);
 
 } // namespace proskill::test

@@ -2,11 +2,13 @@
 #include "tests/where.h"
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <fstream>
 
 using namespace proskill::test;
+using Json = nlohmann::json;
 
 namespace import_command {
 
@@ -23,6 +25,11 @@ Finished command(std::vector<std::string> words) {
 
 bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
+}
+
+std::string contentOf(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 } // namespace
@@ -63,6 +70,182 @@ TEST_CASE("import names errors with their places and writes nothing") {
   CHECK_FALSE(std::filesystem::exists(out));
   CHECK(command({"import", "bt", "/dev/zero"}).exitCode == 2);
   CHECK(command({"import", "bt", kPatrol, "--leaves", kPatrol}).exitCode == 2);
+}
+
+TEST_CASE("emit bt writes a mission as a tree that imports again") {
+  const TemporaryDirectory directory;
+  const auto path = directory.write(
+      "dock.proskill",
+      "(defskill drive :time_interval [2,5] :action (drive) :success ok :failure no)\n"
+      "(defskill Mission :success ok :failure no\n  :body ((label again)\n"
+      "  (drive)\n  (if (/= drive.status success) (^ 5) (goto again))))\n");
+  const auto xml = directory.path("dock.xml");
+  const auto leaves = directory.path("leaves.json");
+  CHECK(command({"emit", "bt", path, "--leaves", leaves, "-o", xml}).exitCode == 0);
+  const auto again = command({"import", "bt", xml, "--leaves", leaves});
+  CHECK(contains(again.out, ":time_interval [2,5]"));
+  CHECK(contains(again.err, "verdicts are exact"));
+  CHECK(command({"emit", "rl", path, "--leaves", leaves}).exitCode == 2);
+  for (const auto& [one, other] : {std::pair{leaves, directory.path("./leaves.json")}, {"-", "-"}})
+    CHECK(contains(command({"emit", "bt", path, "--leaves", one, "-o", other}).err,
+                   "`--leaves` and `-o` must name two files"));
+  CHECK(contains(command({"emit", "bt", path, "--main", "drive"}).err,
+                 "`drive` is not a composite skill"));
+}
+
+// --- Components
+
+TEST_CASE("the example of a component is what its import writes, and its bug is found") {
+  const std::filesystem::path folder = PROSKILL_SOURCE_DIR "/examples/gripper";
+  const TemporaryDirectory directory;
+  for (const auto* name : {"gripper.gen", "leaves.json", "bug.proskill"})
+    std::filesystem::copy_file(folder / name, directory.path(name));
+  const auto path = directory.path("gripper.proskill");
+  const auto done = command({"import", "gen", directory.path("gripper.gen"), "--leaves",
+                             directory.path("leaves.json"), "-o", path});
+  CHECK(done.exitCode == 0);
+  CHECK(contains(done.err, "verdicts are exact for what the file declares"));
+  CHECK(contentOf(path) == contentOf(folder / "gripper.proskill"));
+  const auto verified = command({"verify", directory.path("bug.proskill")});
+  CHECK(verified.exitCode == 1);
+  CHECK(contains(verified.out, "violated (never (and (running hold) (called park)))"));
+}
+
+// --- Skillsets
+
+constexpr auto kCrane = PROSKILL_SOURCE_DIR "/examples/crane/crane.rl";
+constexpr auto kCraneBug = PROSKILL_SOURCE_DIR "/examples/crane/bug.rl";
+
+TEST_CASE("import rl and emit rl are inverse on the crane") {
+  const TemporaryDirectory directory;
+  const auto path = directory.path("crane.proskill");
+  const auto done = command({"import", "rl", kCrane, "-o", path});
+  CHECK(done.exitCode == 0);
+  CHECK(contains(done.err, "verdicts are exact for these skillsets"));
+  CHECK(command({"check", path}).exitCode == 0);
+  CHECK(command({"fmt", "--check", path}).exitCode == 0);
+  CHECK(command({"verify", path}).exitCode == 0);
+  const auto written = command({"emit", "rl", path});
+  CHECK(written.exitCode == 0);
+  CHECK(written.err.empty());
+  const auto again = directory.write("again.rl", written.out);
+  std::filesystem::create_directory(directory.path("again"));
+  const auto second = directory.path("again/crane.proskill");
+  REQUIRE(command({"import", "rl", again, "-o", second}).exitCode == 0);
+  CHECK(command({"emit", "rl", second}).out == written.out);
+  CHECK(command({"import", "rl", kCrane, "--leaves", kLeaves}).exitCode == 2);
+}
+
+TEST_CASE("verdicts and findings name the original, from the program's folder") {
+  const TemporaryDirectory directory;
+  std::filesystem::create_directory(directory.path("in"));
+  std::filesystem::copy_file(kCraneBug, directory.path("in/bug.rl"));
+  const auto path = directory.path("bug.proskill");
+  REQUIRE(command({"import", "rl", directory.path("in/bug.rl"), "-o", path}).exitCode == 0);
+  const auto original = directory.path("in/bug.rl") + ":28:9 resource battery";
+  const auto verified = command({"verify", path});
+  CHECK(contains(verified.out, "\n  from " + original + "\n"));
+  const auto report = Json::parse(command({"verify", "--format", "json", path}).out);
+  const Json place{{"file", directory.path("in/bug.rl")},
+                   {"line", 28},
+                   {"column", 9},
+                   {"what", "resource battery"}};
+  for (const auto& row : report["properties"])
+    if (row["name"] == "battery.no_forbidden_transition") CHECK(row["original"] == place);
+  const auto sarif = Json::parse(command({"verify", "--format", "sarif", path}).out);
+  CHECK(sarif["runs"][0]["results"][0]["relatedLocations"][0]["physicalLocation"]["region"] ==
+        Json{{"startLine", 28}, {"startColumn", 9}});
+  const auto checked = command({"check", path});
+  CHECK(contains(checked.out, " = from: " + directory.path("in/bug.rl") + ":5"));
+  const auto findings = Json::parse(command({"check", "--format", "json", path}).out);
+  CHECK(findings["diagnostics"][0]["original"]["file"] == directory.path("in/bug.rl"));
+  const auto log = Json::parse(command({"check", "--format", "sarif", path}).out);
+  CHECK(contains(log["runs"][0]["results"][0]["relatedLocations"].dump(), "in/bug.rl"));
+}
+
+TEST_CASE("emit rl names what RL cannot say") {
+  const TemporaryDirectory directory;
+  const auto path = directory.write("p.proskill", "(defsv n :init 0 :min 0 :max 3)\n"
+                                                  "(defevent up :effects (n (+ n 1)))\n");
+  const auto done = command({"emit", "rl", path});
+  CHECK(done.exitCode == 2);
+  CHECK(done.out.empty());
+  CHECK(contains(done.err, path + ":1:8: error: RL cannot say this: a number\n"));
+}
+
+// --- Planning problems
+
+TEST_CASE("plan does not replace the program, and needs a goal") {
+  const TemporaryDirectory directory;
+  const std::string text = "(defskill go)\n";
+  const auto path = directory.write("p.proskill", text);
+  const auto replaces = command({"plan", "true", path, "-o", path});
+  CHECK(replaces.exitCode == 2);
+  CHECK(contains(replaces.err, "`-o` names the file that is read"));
+  CHECK(contains(command({"plan", " ", path}).err, "the goal is empty"));
+  CHECK(run({"/bin/cat", path}).out == text);
+}
+
+TEST_CASE("emit pddl writes a domain and a problem") {
+  const auto survey = std::string(PROSKILL_SOURCE_DIR "/docs/bridges/survey.proskill");
+  const auto domain = command({"emit", "pddl", survey});
+  CHECK(domain.exitCode == 0);
+  CHECK(contains(domain.out, R"(
+  ; skill photograph (success done)
+  (:durative-action photograph
+    :parameters ()
+    :duration (and (>= ?duration 10) (<= ?duration 100))
+    :condition (and
+      (at start (photograph-is-idle))
+      (at start (flight-is-inair))
+      (over all (flight-is-inair)))
+    :effect (and
+      (at start (not (photograph-is-idle)))
+      (at end (photograph-is-idle))
+      (at end (not (area-is-unknown)))
+      (at end (area-is-photographed))))
+)"));
+  CHECK(contains(domain.out, "    (gps-is-fixed) ; (gps Fixed)\n"));
+  CHECK(contains(domain.out, "  ; event gps_fixed\n  (:action gps-fixed\n"));
+  const TemporaryDirectory directory;
+  const auto leak = directory.write("leak.proskill", R"((defsv tank :states (Full Empty) :init Full)
+(defevent leaks :every [1,2] :effects (tank Empty))
+)");
+  CHECK(contains(command({"emit", "pddl", leak}).out,
+                 "  ; event leaks by itself\n  (:action leaks\n"));
+  const auto problem = command({"emit", "pddl", "--goal", "(not (area Unknown))", survey});
+  CHECK(contains(problem.out, "(:goal (not (area-is-unknown)))"));
+  const auto wrong = command({"emit", "pddl", "--goal", "(area Green)", survey});
+  CHECK(wrong.exitCode == 2);
+  CHECK(contains(wrong.err, "`Green` is not a value of `area`"));
+  CHECK(command({"emit", "fiacre", "--goal", "true", survey}).exitCode == 2);
+}
+
+TEST_CASE("numbers, resources and failures in PDDL") {
+  const TemporaryDirectory directory;
+  const auto path = directory.write("p.proskill", R"((defsv parts :init 1 :min 0 :max 3)
+(defsv Arm :states (Up Down) :init Up)
+(defsv arm :states (UP up) :init up)
+(defresource gripper :capacity 2)
+(defskill take
+  :precondition (some (and (> parts 0) (=> (Arm Up) (/= Arm Down))))
+  :resources (gripper)
+  :time_interval ]0.5,...[
+  :action (take)
+  :success taken (:effects (parts (- parts 1)) :postcondition (and (Arm Up) (arm UP)))
+  :failure dropped)
+)");
+  const auto best = command({"emit", "pddl", path}).out;
+  CHECK(contains(best, ":duration (>= ?duration 0.500000)"));
+  CHECK(contains(best, "(at start (>= (gripper-left) 1))"));
+  CHECK(contains(best, "(at start (decrease (gripper-left) 1))"));
+  CHECK(contains(best, "(at end (assign (parts) (- (parts) 1)))"));
+  CHECK(contains(best, "(arm-is-up-2) ; (arm UP)"));
+  CHECK(contains(best, "(at end (arm-is-up))"));
+  CHECK_FALSE(contains(best, "dropped"));
+  CHECK(contains(command({"emit", "pddl", "--outcomes", "all", path}).out,
+                 "(:durative-action take--dropped\n"));
+  CHECK(contains(command({"emit", "pddl", "--goal", "(= parts 0)", path}).out, "(= (parts) 1)\n"));
 }
 
 } // namespace import_command

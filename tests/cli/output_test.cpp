@@ -40,6 +40,13 @@ Finished onFullDisk(const std::string& words) {
   return runWords(words, "ulimit -f 1; trap '' XFSZ; exec");
 }
 
+/// Runs a program with a recording, as on a disk without free space. \return its errors
+std::string recordOnFullDisk(const std::string& path, const std::string& before = "") {
+  return runWords("run --record " + path + " " + kDock + " 2>&1 >/dev/null | cat",
+                  "ulimit -f 0; trap '' XFSZ; " + before)
+      .out;
+}
+
 /// Shell prefix that makes permissions effective for root, too.
 std::string withoutPrivileges() {
   return geteuid() == 0 ? "exec setpriv --bounding-set -dac_override --inh-caps -dac_override"
@@ -92,6 +99,50 @@ TEST_CASE("a full disk leaves every earlier output as it was, and nothing beside
     CHECK(filesIn(old) == 1);
     fs::remove_all(old);
   }
+}
+
+TEST_CASE("a full disk leaves an earlier recording as it was, and the run says so") {
+  const TemporaryDirectory files;
+  for (const std::string name : {"run.json", "run.mcap"}) {
+    INFO(name);
+    const auto path = files.write(name, kOld);
+    CHECK(recordOnFullDisk(path) ==
+          "warning: " + path + " cannot be written: File too large; the recording ends here\n");
+    CHECK(contentOf(path) == kOld);
+    fs::remove(path);
+    CHECK(filesIn(files.path()) == 0);
+  }
+}
+
+TEST_CASE("a recording that replaces another is complete, and shorter if it has less") {
+  const TemporaryDirectory files;
+  const auto fresh = files.path("fresh.json");
+  CHECK(runWords("run --seed 1 --record " + fresh + " " + kDock).exitCode == 0);
+  const auto longer = files.write("run.json", std::string(1'000'000, 'x'));
+  fs::create_symlink("run.json", files.path("link.json"));
+  CHECK(runWords("run --seed 1 --record " + files.path("link.json") + " " + kDock).exitCode == 0);
+  CHECK(contentOf(longer) == contentOf(fresh));
+  CHECK(fs::is_symlink(files.path("link.json")));
+}
+
+TEST_CASE("a recording with several names, or in a locked directory, is overwritten in place") {
+  const TemporaryDirectory files;
+  fs::create_directory(files.path("locked"));
+  const auto path = files.write("locked/run.json", kOld);
+  fs::create_hard_link(path, files.path("other.json"));
+  const auto record = "run --record " + path + " " + kDock;
+  CHECK(recordOnFullDisk(path).find("the recording ends here") != std::string::npos);
+  CHECK(contentOf(path) == kOld);
+  CHECK(runWords(record).exitCode == 0);
+  CHECK(namesOf(path) == 2);
+  CHECK(contentOf(files.path("other.json")).ends_with("]}\n"));
+  fs::remove(files.path("other.json"));
+  files.write("locked/run.json", kOld);
+  const ReadOnlyDirectory locked(files.path("locked"));
+  CHECK(recordOnFullDisk(path, withoutPrivileges()).find("File too large") != std::string::npos);
+  CHECK(contentOf(path) == kOld);
+  CHECK(runWords(record, withoutPrivileges()).exitCode == 0);
+  CHECK(contentOf(path).ends_with("]}\n"));
 }
 
 TEST_CASE("a full disk leaves a program that was to be laid out or fixed as it was") {

@@ -4,9 +4,11 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <fstream>
 #include <signal.h>
 #include <sstream>
+#include <unistd.h>
 
 using namespace proskill;
 using Json = nlohmann::json;
@@ -107,6 +109,74 @@ TEST_CASE("a program sees the end of its input when the executor is killed") {
   CHECK(Json::parse(platform.text("run.json"))["steps"].is_array());
 }
 
+TEST_CASE("a robot's run is recorded unless the user does not want it") {
+  const Platform platform(kReadyRobot + R"(read -r start
+                          echo '{"type":"result","run":1,"result":"there"}'; cat > /dev/null)");
+  const auto run = [&](const std::string& state, std::vector<std::string> options = {}) {
+    std::vector<std::string> command{PROSKILL_PROGRAM, "run", "--platform",
+                                     platform.path("platform.json"),
+                                     platform.path("mission.proskill")};
+    command.insert(command.end(), options.begin(), options.end());
+    const auto done =
+        test::run(command, {.environment = {"XDG_STATE_HOME=" + state, "STATE_DIRECTORY="}});
+    INFO(done.out << done.err);
+    CHECK(done.exitCode == 0);
+    return done.err;
+  };
+  const std::filesystem::path directory(platform.path("state/proskill/recordings"));
+  const auto said = run(platform.path("state"));
+  REQUIRE(said.starts_with("the run is recorded in " + directory.string() + "/mission-"));
+  const auto file = said.substr(said.find('/'), said.size() - said.find('/') - 1);
+  std::ifstream bytes(file);
+  std::string magic(8, ' ');
+  bytes.read(magic.data(), 8);
+  CHECK(magic == "\x89MCAP0\r\n");
+  CHECK(test::run({PROSKILL_PROGRAM, "conform", file, platform.path("mission.proskill")})
+            .out.starts_with("the run conforms"));
+
+  // The oldest are deleted, but none of a process that runs, and nothing else.
+  const auto number = [&] {
+    std::size_t count = 0;
+    for (const auto& each : std::filesystem::directory_iterator(directory))
+      if (each.path().filename().string().starts_with("mission-")) ++count;
+    return count;
+  };
+  const auto touch = [&](const std::string& name) { std::ofstream(directory / name) << "x"; };
+  const auto mine = "mission-20200101T000000Z-" + std::to_string(getpid()) + ".mcap";
+  touch(mine);
+  for (const auto* other : {"mission-2.mcap", "missions-20200101T000000Z-999999999.mcap"})
+    touch(other);
+  for (int day = 10; day < 40; ++day)
+    touch("mission-202001" + std::to_string(day) + "T000000Z-999999999.mcap");
+  run(platform.path("state"));
+  CHECK(number() == 20 + 2); // the one of this process, and one with another name
+  for (const auto& kept : {mine, std::string("mission-2.mcap"),
+                           std::string("missions-20200101T000000Z-999999999.mcap"),
+                           std::filesystem::path(file).filename().string()})
+    CHECK(std::filesystem::exists(directory / kept));
+
+  // So are large ones, although there are not many; the newest one stays.
+  const std::string large = "mission-20980101T000000Z-999999999.mcap";
+  const std::string newest = "mission-20990101T000000Z-999999999.mcap";
+  for (const auto& each : {large, newest}) {
+    touch(each);
+    std::filesystem::resize_file(directory / each, std::uint64_t{9} << 30); // takes no space
+  }
+  run(platform.path("state"));
+  CHECK_FALSE(std::filesystem::exists(directory / large));
+  CHECK(std::filesystem::exists(directory / newest));
+  CHECK(std::filesystem::exists(directory / mine));
+
+  CHECK(run(platform.path("none"), {"--no-record"}).empty());
+  CHECK_FALSE(std::filesystem::exists(platform.path("none")));
+  CHECK(
+      run("/proc/none").starts_with("warning: the run is not recorded: cannot create `/proc/none"));
+  CHECK(test::run({PROSKILL_PROGRAM, "run", platform.path("mission.proskill")},
+                  {.environment = {"XDG_STATE_HOME=" + platform.path("none")}})
+            .err.empty());
+  CHECK_FALSE(std::filesystem::exists(platform.path("none")));
+}
+
 TEST_CASE("a full disk ends the recording, and not the run") {
   const Platform platform(kReadyRobot + R"(read -r start
     for i in 1 2 3 4 5 6 7 8 9; do
@@ -129,6 +199,6 @@ TEST_CASE("a full disk ends the recording, and not the run") {
   CHECK(recorded < all);
   const auto none = test::run({PROSKILL_PROGRAM, "run", "--record", "/dev/full", "--platform",
                                platform.path("platform.json"), platform.path("mission.proskill")});
-  CHECK(none.exitCode == 0);
+  CHECK(none.exitCode == 2);
   CHECK(none.err.find("No space left on device; the recording ends here") != std::string::npos);
 }

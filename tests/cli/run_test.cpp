@@ -94,7 +94,7 @@ TEST_CASE("run says what is wrong with a script or a platform") {
   says(wrong("--platform", R"({"actions":{"charge":{"duration":[3,2]}}})"),
        "`charge.duration` ends before it begins");
   says(wrong("--platform", R"({"kind":"magic"})"),
-       "`kind` must be `simulated`, `process`, `library` or `ros1`, not `magic`");
+       "`kind` must be `simulated`, `process`, `library`, `ros1` or `ros2`, not `magic`");
   says(wrong("--platform", "{\n  \"kind\":"), "it is not JSON at line 2, column");
   says(wrong("--platform", R"({"action":{}})"), "did you mean `actions`?");
 }
@@ -152,6 +152,66 @@ TEST_CASE("run ends in order when it is asked to") {
     CHECK(ended.exitCode == 3);
     CHECK(ended.out.find("stopped: every action has ended") != std::string::npos);
   }
+}
+
+TEST_CASE("conform reads MCAP, whole or cut off") {
+  const test::TemporaryDirectory files;
+  const auto path = files.path("run.mcap");
+  executed({"--seed", "3", "--record", path, kDockToRun});
+  const auto conform = [&](const std::string& recording) {
+    return test::run({PROSKILL_PROGRAM, "conform", recording, kDockToRun});
+  };
+  const auto good = conform(path);
+  INFO(good.out << good.err);
+  CHECK(good.out.find("the run conforms to the model: ") == 0);
+  CHECK(good.exitCode == 0);
+  const auto whole = recordedIn(path);
+  for (std::size_t length = whole.size() / 2; length < whole.size(); length += 311) {
+    const auto cut = conform(files.write("cut.mcap", whole.substr(0, length)));
+    INFO(length << "\n" << cut.out << cut.err);
+    CHECK(cut.exitCode == 0);
+  }
+  CHECK(conform(files.write("short.mcap", whole.substr(0, 20))).exitCode == 2);
+}
+
+TEST_CASE("conform learns intervals, and names the properties that change") {
+  const auto late = kRunTree + "/docs/tour/late.json";
+  const auto done =
+      test::run({PROSKILL_PROGRAM, "conform", "--learn", "--also", late, late, kDockToRun});
+  INFO(done.out << done.err);
+  CHECK(done.exitCode == 1);
+  CHECK(done.out.find("`drive_onto_dock` took 6.2 s in 2 runs of its action; it promises "
+                      "[2,5]\nwith [2,6.2] for `drive_onto_dock` 1 property changes\n") !=
+        std::string::npos);
+  CHECK(done.out.find("`recharge` takes at most 25 s from its start: holds → violated\n") !=
+        std::string::npos);
+  const test::TemporaryDirectory files;
+  const auto path = files.path("run.json");
+  executed({"--seed", "3", "--record", path, kDockToRun});
+  const auto kept = test::run({PROSKILL_PROGRAM, "conform", "--learn", path, kDockToRun});
+  CHECK(kept.out.find("every action kept its interval: there is nothing to learn\n") !=
+        std::string::npos);
+  CHECK(kept.exitCode == 0);
+}
+
+TEST_CASE("what a run decides about the program's properties is reported, and decides its exit") {
+  const auto watched = kRunTree + "/docs/tour/watched.proskill";
+  const auto text = executed({watched});
+  INFO(text.out);
+  CHECK(text.exitCode == 1);
+  CHECK(text.out.find("violated: (always (place Dock))") != std::string::npos);
+  CHECK(text.out.find("prints \"it stands on the Floor\"") != std::string::npos);
+  CHECK(text.out.find("✗ stays_on_dock: false since 2 s\n") != std::string::npos);
+  CHECK(text.out.find("… comes_back: not yet\n") != std::string::npos);
+  CHECK(text.out.find("✓ ends: true since 3 s\n") != std::string::npos);
+  const auto json = executed({"--format", "json", watched});
+  const auto end =
+      nlohmann::json::parse(json.out.substr(json.out.rfind('\n', json.out.size() - 2) + 1));
+  CHECK(end["bad"] == 1);
+  CHECK(end["properties"][0]["verdict"] == "false");
+  CHECK(end["properties"][0]["date"] == "2");
+  CHECK(end["properties"][1]["verdict"] == "not yet");
+  CHECK(end["properties"][1]["date"].is_null());
 }
 
 TEST_CASE("conform judges recordings, whole or cut off") {

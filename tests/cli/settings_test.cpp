@@ -69,7 +69,7 @@ TEST_CASE("settings that mean nothing are a mistake, and say which") {
   }
 }
 
-TEST_CASE("check --fix writes what one edit mends, and reports what is left") {
+TEST_CASE("check --fix writes what one edit fixes, and reports what is left") {
   const TemporaryDirectory directory;
   const std::string file = directory.write("main.proskill", "(defskill grip :action (grip))\n"
                                                             "(defskill mission\n"
@@ -83,6 +83,18 @@ TEST_CASE("check --fix writes what one edit mends, and reports what is left") {
                         "  :body ((grip)\n"
                         "         (^ 3)))\n");
   CHECK(check(directory, "--fix").err.starts_with("fixed 0 findings in 0 files\n"));
+}
+
+TEST_CASE("check --fix joins two `from` of one state of a Fiacre model") {
+  const TemporaryDirectory directory;
+  const std::string file = directory.write("main.fcr", "process P is\nstates s, t\n"
+                                                       "from s\n    to t\n"
+                                                       "from s\n    to s\n"
+                                                       "from t\n    to s\n\nP\n");
+  const Finished result = run({PROSKILL_PROGRAM, "check", "--fix", file});
+  CHECK(result.err.starts_with("fixed 1 finding in 1 file\n"));
+  CHECK(result.exitCode == 0);
+  CHECK(textOf(file).find("select") != std::string::npos);
 }
 
 TEST_CASE("check --style tells hints that are quiet otherwise") {

@@ -152,6 +152,15 @@ TEST_CASE("the program's own properties are Fiacre's patterns") {
   CHECK(patternOf("(absent (battery Low) :before (ended wave) :for [0,2])") ==
         "absent main_test/value (battery = Low) before main_test/value ((skill[wave].caller = None)"
         " and (not (skill[wave].status = no_status))) for interval [0,2]");
+  CHECK(patternOf("(ltl (W (battery Low) (running wave)))") ==
+        "ltl ((main_test/value (battery = Low)) until "
+        "(main_test/value skill[wave].inv_active)) or ([] (main_test/value (battery = Low)))");
+  CHECK(patternOf("(ltl (R (battery Low) (running wave)))") ==
+        "ltl not ((not (main_test/value (battery = Low))) until "
+        "(not (main_test/value skill[wave].inv_active)))");
+  CHECK(patternOf("(ltl (M (battery Low) (running wave)))") ==
+        "ltl (main_test/value skill[wave].inv_active) until "
+        "((main_test/value (battery = Low)) and (main_test/value skill[wave].inv_active))");
   CHECK(patternOf("(ltl ([] (=> (battery Low) (<> (running wave)))))") ==
         "ltl [] ((main_test/value (battery = Low)) => "
         "(<> (main_test/value skill[wave].inv_active)))");

@@ -50,7 +50,7 @@ TEST_CASE("the compact, the expanded and Tina's edition of a program have the sa
     test::ProgramSize size;
     size.properties = 0; // the expanded edition has more steps, which a property of steps may
                          // observe
-    const auto text = test::textOf(test::randomProgram(seed, size));
+    const auto text = test::textOf(test::randomProgram(seed, test::varied(seed, size)));
     const auto compact = verdicts(text, Edition::Compact);
     if (!compact) continue;
     const auto expanded = verdicts(text, Edition::Expanded);

@@ -51,6 +51,36 @@ from start_
 )");
 }
 
+TEST_CASE("an event with a guard occurs only while the guard holds") {
+  const std::string slam = "(defsv wind :states (Calm Strong) :init Calm)"
+                           "(defevent slams :guard (and (door Open) (wind Strong)) "
+                           ":effects (door Closed))"
+                           "(defproperty slams_shut (reachable (occurs slams)))";
+  CHECK(test::printedProcess(test::modelOf(kWorld + slam), "event_slams_automata") ==
+        R"(process event_slams_automata [slams: sync] (&door: sv_door, &wind: sv_wind) is
+states start_
+from start_
+    on ((door = Open) and (wind = Strong));
+    slams;
+    door := Closed;
+    to start_
+)");
+  CHECK(verdicts(slam).at("slams_shut") == "unreachable");
+  CHECK(verdicts(slam + "(defevent storm :effects (wind Strong))").at("slams_shut") == "reachable");
+}
+
+TEST_CASE("an environment that generates an event waits for its guard") {
+  const auto waits = verdicts(R"(
+    (defsv wind :states (Calm Strong) :init Calm)
+    (defevent slams :guard (door Open) :effects (wind Strong))
+    (defskill mission :body ((^ 3) (set (door Open)) (^ 9)))
+    (defenvironment world :body ((emit slams)))
+    (defproperty early (absent (wind Strong) :for [0,3[))
+    (defproperty late (leadsto (door Open) (wind Strong) :within [0,0])))");
+  CHECK(waits.at("early") == "holds");
+  CHECK(waits.at("late") == "holds");
+}
+
 TEST_CASE("an environment of the program's own is in a hurry, and says all that happens") {
   const auto text = test::printed(test::modelOf(kWorld + R"(
     (defskill mission :body ((wave)))

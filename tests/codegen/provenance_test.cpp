@@ -109,7 +109,7 @@ TEST_CASE("a trace shows state variables, statuses, results that are read, and r
 
 TEST_CASE("every process and state of a random program has a place, and every step has words") {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
-    const auto text = test::textOf(test::randomProgram(seed));
+    const auto text = test::textOf(test::randomProgram(seed, test::varied(seed)));
     const auto model = test::modelOf(text);
     INFO(text);
     for (const auto& process : model.fiacre.processes) {

@@ -1,6 +1,8 @@
 #include "codegen/model.h"
 #include "fiacre/check/check.h"
 #include "fiacre/print/print.h"
+#include "tests/codegen/model_of.h"
+#include "tests/support/random/random_constants.h"
 #include "tests/support/random/random_program.h"
 #include "tests/support/texts.h"
 
@@ -33,7 +35,7 @@ codegen::Model modelOf(const std::string& text, const codegen::Options& options)
 
 void everyModelIsWellTyped(const codegen::Options& options) {
   for (std::uint64_t seed = 0; seed < kPrograms; ++seed)
-    modelOf(test::textOf(test::randomProgram(seed)), options);
+    modelOf(test::textOf(test::randomProgram(seed, test::varied(seed))), options);
 }
 
 } // namespace
@@ -56,7 +58,7 @@ TEST_CASE("no runtime model of a random program is ill-typed or uses a reserved 
 
 TEST_CASE("a program gives the same model whenever it is translated") {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
-    const auto text = test::textOf(test::randomProgram(seed));
+    const auto text = test::textOf(test::randomProgram(seed, test::varied(seed)));
     CHECK(fiacre::print(modelOf(text, {}).fiacre) == fiacre::print(modelOf(text, {}).fiacre));
   }
 }
@@ -65,4 +67,23 @@ TEST_CASE(
     "the executed edition of random programs is well typed, with its environment and without") {
   everyModelIsWellTyped({.edition = Edition::Executed});
   everyModelIsWellTyped({.edition = Edition::Executed, .environment = true});
+}
+
+TEST_CASE("a random program with constants has the model of the program with their numbers") {
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    const auto program = test::randomProgram(seed, {.properties = 4, .scopes = 40});
+    const auto text = test::textOf(test::withConstants(program));
+    INFO("seed " << seed << "\n" << text);
+    CHECK(test::printed(test::modelOf(text)) ==
+          test::printed(test::modelOf(test::textOf(program))));
+  }
+}
+
+TEST_CASE("actions get the number as the constant has it") {
+  const auto model = test::modelOf(R"((defconst home -0.50)
+    (defskill go :input ($x float) :action (move $x home))
+    (defskill mission :body ((go x home))))",
+                                   {.edition = codegen::Edition::Executed});
+  REQUIRE(model.actionCalls.size() == 1);
+  CHECK(model.actionCalls[0].arguments == std::vector<std::string>{"-0.50", "-0.50"});
 }

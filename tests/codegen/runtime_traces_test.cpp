@@ -76,7 +76,7 @@ TEST_CASE("what happens at runtime, on a platform that keeps its times, may happ
   std::size_t compared = 0;
   std::size_t tags = 0;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
-    const auto text = test::textOf(test::randomProgram(seed, size));
+    const auto text = test::textOf(test::randomProgram(seed, test::varied(seed, size)));
     const auto program = test::programOfText(text);
     const auto runtime = modelOf(program, Edition::Runtime);
     const auto offline = modelOf(program, Edition::Compact);

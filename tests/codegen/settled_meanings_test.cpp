@@ -97,7 +97,7 @@ TEST_CASE("a guard that is false at the start of a body that takes no time is se
   CHECK(found.at("mission.invariant_may_fail.shut") == "reachable");
 }
 
-TEST_CASE("a guard that a body breaks and mends at once is seen") {
+TEST_CASE("a guard that a body breaks and repairs at once is seen") {
   const auto found = verdicts(R"(
     (defsv door :states (Closed Open) :init Closed)
     (defskill mission :invariant (shut (:guard (door Closed))) :success done

@@ -147,7 +147,7 @@ TEST_CASE("for Tina numbers of different types meet as `int`, and are assigned b
 
 TEST_CASE("no model for Tina of a random program mixes types or is ill-typed") {
   for (std::uint64_t seed = 0; seed < 1000; ++seed) {
-    const auto text = test::textOf(test::randomProgram(seed));
+    const auto text = test::textOf(test::randomProgram(seed, test::varied(seed)));
     const auto model = codegen::generate(test::programOfText(text), {.edition = Edition::Tina});
     INFO("seed " << seed << "\n" << text);
     REQUIRE(model.has_value());

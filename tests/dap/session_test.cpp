@@ -1,4 +1,5 @@
 #include "tests/dap/client.h"
+#include "tests/support/endless_program.h"
 #include "tests/support/run.h"
 #include "tests/where.h"
 
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 
 using namespace proskill;
 using test::DapClient;
@@ -151,6 +153,39 @@ TEST_CASE("a trace that was saved is replayed from its file") {
   }
 }
 
+TEST_CASE("a recording is stepped through, forth and back, from any time on") {
+  Files files;
+  const auto endless = files.directory.write(
+      "endless.proskill", "(defsv lamp :states (On Off) :init Off :transitions :all)\n"
+                          "(defskill mission\n"
+                          "  :body ((while true\n"
+                          "           (^ 1) (set (lamp On))\n"
+                          "           (^ 1) (set (lamp Off)))))\n");
+  const auto recording = files.directory.path("run.mcap");
+  const auto ran =
+      test::run({PROSKILL_PROGRAM, "run", "--until", "2d", "--record", recording, endless});
+  CHECK(ran.exitCode == 3);
+  CHECK(std::filesystem::file_size(recording) > 50'000'000);
+  for (const double from : {3'600.0, 100'000.0}) {
+    DapClient client;
+    auto stop = client.start({{"trace", recording}, {"from", from}});
+    const auto total = client.result("proskill/position")["total"].get<int>();
+    CHECK(total > 10'000);
+    const auto line = client.top(stop)["line"];
+    const auto lamp = valueOf(client, "lamp");
+    for (int i = 0; i < 3; ++i) stop = move(client, "next");
+    CHECK(valueOf(client, "mission.status") == "no_status");
+    for (int i = 0; i < 3; ++i) stop = move(client, "stepBack");
+    CHECK(client.top(stop)["line"] == line);
+    CHECK(valueOf(client, "lamp") == lamp);
+    client.result("proskill/goTo", {{"position", 9}});
+    stop = client.event("stopped");
+    const auto time = client.values(client.top(stop), "Time")["now"];
+    INFO(time);
+    CHECK(std::abs(std::stod(time) - from) < 1'500);
+  }
+}
+
 TEST_CASE("in a simulation the user chooses what happens") {
   Files files;
   DapClient client;
@@ -183,6 +218,22 @@ TEST_CASE("in a simulation the user chooses what happens") {
   stop = move(client, "continue");
   CHECK(stop["reason"] == "breakpoint");
   CHECK(client.top(stop)["line"] == 6);
+}
+
+TEST_CASE("a recording that was cut off within a write is stepped through") {
+  Files files;
+  const auto recording = files.directory.path("run.json");
+  const auto program = files.directory.write(
+      "wait.proskill", "(defskill mission :success done\n  :body ((^ 1) (^ 1) (success done)))");
+  const auto ran =
+      test::run({PROSKILL_PROGRAM, "run", "--clock", "simulated", "--record", recording, program});
+  REQUIRE(ran.exitCode == 0);
+  std::ifstream whole(recording);
+  std::string text{std::istreambuf_iterator<char>(whole), {}};
+  text.resize(text.size() - 20);
+  DapClient client;
+  client.start({{"trace", files.directory.write("cut.json", text)}});
+  CHECK(client.result("proskill/position")["total"].get<int>() == 3);
 }
 
 TEST_CASE("what cannot be launched is an error with a reason") {
@@ -219,11 +270,7 @@ TEST_CASE("what is no message is passed over, what is unknown is refused") {
 
 TEST_CASE("a disconnection ends a verification that is under way") {
   test::TemporaryDirectory directory;
-  std::string text;
-  for (int i = 5; i < 14; ++i)
-    text += "(defskill s" + std::to_string(i) + " :time_interval [1," + std::to_string(i) +
-            "] :action (a) :success ok :failure bad)\n";
-  const auto program = directory.write("many.proskill", text);
+  const auto program = directory.write("many.proskill", test::endlessProgram());
   DapClient client;
   client.result("initialize", {{"adapterID", "proskill"}, {"supportsProgressReporting", true}});
   client.send("launch", {{"program", program}, {"seconds", 600}});

@@ -1,8 +1,8 @@
 """Runs a test of the Neovim plugin in Neovim.
 
-usage: nvim.py SCRIPT
+usage: nvim.py SCRIPT [--newer]
 
-PROSKILL_NVIM names another Neovim than the one on the PATH. The script runs in one Neovim, and drives
+PROSKILL_NVIM names another Neovim than the one on the PATH; --newer: the one that scripts/neovim.sh has unpacked. The script runs in one Neovim, and drives
 a second one as a user would, by its keys: see nvim/child.lua. Neither sees the user's own configuration.
 """
 
@@ -16,9 +16,19 @@ import tempfile
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 
-program = os.environ.get("PROSKILL_NVIM") or shutil.which("nvim")
+newer = pathlib.Path(os.environ.get("XDG_CACHE_HOME") or pathlib.Path.home() / ".cache") / "proskill/neovim-trixie/nvim"
+
+
+def found():
+    """The Neovim to test, and how to get it if it is missing."""
+    if "--newer" in sys.argv:
+        return shutil.which(newer), "the newer Neovim is not unpacked (scripts/neovim.sh)"
+    return os.environ.get("PROSKILL_NVIM") or shutil.which("nvim"), "nvim is not installed (apt-get install neovim)"
+
+
+program, missing = found()
 if not program:
-    print("skipped: nvim is not installed (apt-get install neovim)")
+    print(f"skipped: {missing}")
     sys.exit(77)
 
 with tempfile.TemporaryDirectory() as directory:

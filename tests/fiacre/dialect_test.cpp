@@ -153,3 +153,21 @@ TEST_CASE("of two `from` of one state the second is told, with what to do") {
   CHECK(text.substr(place.begin, place.end - place.begin) == "from s\n    to s");
   CHECK(place.begin > text.find("from t"));
 }
+
+TEST_CASE(
+    "a pattern may stand on the left of `:=` and behind `?`, with `any` for what is ignored") {
+  isRead("type opt is union none_ | some of 0..3 end\n\n"
+         "process P [p: in 0..3 # 0..3, q: out 0..3 # 0..3] (b: bool, o: opt) is\nstates s\n"
+         "var x: 0..3\nfrom s\n    select\n        true := b;\n        to s\n"
+         "    []  some(x) := o;\n        to s\n    []  p?any, x;\n        to s\n"
+         "    []  q!1, 2;\n        to s\n"
+         "    []  case o of\n            some(any) ->\n            to s\n"
+         "        |   any ->\n            to s\n        end\n    end\n");
+  CHECK_FALSE(problemsOf("process P (b: bool) is states s from s 2 := b; to s").empty());
+}
+
+TEST_CASE("parameters of a task may have names") {
+  isRead("task mv (x: nat): nat is c_mv\ntask two (x, y: nat, bool): nat is c_two\n"
+         "process P is\nstates s, t\nvar n: nat\nfrom s\n    start mv (1);\n    to t\nfrom t\n"
+         "    sync mv n;\n    to s\n\nP\n");
+}

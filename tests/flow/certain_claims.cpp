@@ -119,7 +119,7 @@ void Judgement::demandOfSkill(const Diagnostic& claim, std::string_view kind) {
   if (ends) demand(claim, findOf("can_run", expected->check.subject), expected);
 }
 
-void Judgement::judgeMended() {
+void Judgement::judgeFixed() {
   struct Edit {
     Location at;
     std::string text;
@@ -135,12 +135,12 @@ void Judgement::judgeMended() {
       edits.push_back({each.location, ""});
   }
   if (edits.empty()) return;
-  std::string mended = text.substr(0, program.files[0].document.text().size());
+  std::string fixed = text.substr(0, program.files[0].document.text().size());
   std::ranges::sort(edits, std::ranges::greater(),
                     [](const Edit& edit) { return edit.at.range.begin; });
   for (const Edit& edit : edits)
-    mended.replace(edit.at.range.begin, edit.at.range.length(), edit.text);
-  if (!decide(mended)) return;
+    fixed.replace(edit.at.range.begin, edit.at.range.length(), edit.text);
+  if (!decide(fixed)) return;
   for (const Verdict& verdict : verdicts) {
     const std::string& kind = verdict.check.kind;
     bool possible = true;
@@ -149,7 +149,7 @@ void Judgement::judgeMended() {
     if (kind == "no_forbidden_transition") possible = mayMoveWrongly(verdict.check.subject);
     if (!possible) ++judged.impossible;
     if (!possible && verdict.happens)
-      refute("impossible when mended, but it happens: " + verdict.check.name + "\n" + mended);
+      refute("impossible when fixed, but it happens: " + verdict.check.name + "\n" + fixed);
   }
 }
 

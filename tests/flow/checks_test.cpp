@@ -1,6 +1,6 @@
 #include "analysis/flow/inspect.h"
 #include "syntax/diagnostics/codes.h"
-#include "tests/support/marked_source.h"
+#include "tests/flow/told.h"
 #include "tests/support/texts.h"
 
 #include <catch2/catch.hpp>
@@ -10,39 +10,16 @@
 #include <vector>
 
 using namespace proskill;
+using test::expectAllTold;
+using test::expectTold;
 
 namespace {
-
-/// A program, `[[` and `]]` around the reported range, and the code; empty: no finding.
-struct Case {
-  const char* program;
-  const char* code = "";
-};
-
-/// The findings of a program, without hints of style, are exactly that of the mark.
-void expectTold(const Case& each) {
-  test::MarkedSource marked(each.program);
-  INFO(marked.text);
-  std::vector<std::string> found;
-  std::vector<syntax::Range> places;
-  for (const auto& it : analysis::flow::inspect(test::programOfText(marked.text), {})) {
-    found.push_back(std::string(syntax::info(it.code).id));
-    places.push_back(it.location.range);
-    UNSCOPED_INFO(found.back() << " " << it.message);
-  }
-  CHECK(found == std::vector<std::string>(marked.ranges.size(), each.code));
-  CHECK(places == marked.ranges);
-}
 
 std::string codes(const std::string& program) {
   std::string all;
   for (const auto& it : analysis::flow::inspect(test::programOfText(program), {}))
     all += syntax::info(it.code).id;
   return all;
-}
-
-void expectAllTold(const std::vector<Case>& cases) {
-  for (const Case& each : cases) expectTold(each);
 }
 
 } // namespace
@@ -333,7 +310,7 @@ TEST_CASE("Hints of style look at values, tags, and properties too") {
 }
 
 TEST_CASE("Bounds are rounded to whole ticks, and a postcondition to what the outcome sets") {
-  auto mended = [](std::string text) {
+  auto fixed = [](std::string text) {
     for (const auto& it : analysis::flow::inspect(test::programOfText(text), {})) {
       if (it.fixes.empty()) continue;
       const auto& fix = it.fixes[0];
@@ -342,17 +319,17 @@ TEST_CASE("Bounds are rounded to whole ticks, and a postcondition to what the ou
     }
     return text;
   };
-  CHECK(mended("(defskill m :body ((^ 0.333)))") == "(defskill m :body ((^ 0.33)))");
-  CHECK(mended("(defskill m :body ((^ ]0.125,1.001[)))") == "(defskill m :body ((^ ]0.13,1[)))");
-  CHECK(mended("(defskill m :body ((^ [0.125,...[)))") == "(defskill m :body ((^ [0.13,...[)))");
-  CHECK(mended("(defskill m :body ((^ 0.001)))") == "(defskill m :body ((^ 0.001)))");
+  CHECK(fixed("(defskill m :body ((^ 0.333)))") == "(defskill m :body ((^ 0.33)))");
+  CHECK(fixed("(defskill m :body ((^ ]0.125,1.001[)))") == "(defskill m :body ((^ ]0.13,1[)))");
+  CHECK(fixed("(defskill m :body ((^ [0.125,...[)))") == "(defskill m :body ((^ [0.13,...[)))");
+  CHECK(fixed("(defskill m :body ((^ 0.001)))") == "(defskill m :body ((^ 0.001)))");
   const std::string light = "(defsv d :states (A B) :init A)\n";
   const std::string rest = "(defskill m :body ((s) (set (d B)) (^ (d B))))";
   auto skill = [&](const std::string& outcome) {
     return light + "(defskill s :action (s) :success ok (" + outcome + "))\n" + rest;
   };
-  CHECK(mended(skill(":postcondition (d B)")) == skill(":effects (d B) :postcondition (d B)"));
-  CHECK(mended(skill(":effects (d A) :postcondition (d B)")) ==
+  CHECK(fixed(skill(":postcondition (d B)")) == skill(":effects (d B) :postcondition (d B)"));
+  CHECK(fixed(skill(":effects (d A) :postcondition (d B)")) ==
         skill(":effects (d A) :postcondition (d A)"));
 }
 

@@ -17,17 +17,17 @@ std::vector<syntax::Diagnostic> found(const std::string& text) {
 
 } // namespace
 
-TEST_CASE("The edit that comes with a diagnostic of the flow mends its example") {
+TEST_CASE("The edit that comes with a diagnostic of the flow fixes its example") {
   std::size_t fixes = 0;
   for (const syntax::CodeInfo& info : syntax::allCodes()) {
     if (!isOfFlow(info)) continue;
     for (const auto& each : found(std::string(info.example))) {
       if (each.code != info.code) continue;
       for (const syntax::Fix& fix : each.fixes) {
-        std::string mended(info.example);
-        mended.replace(fix.location.range.begin, fix.location.range.length(), fix.text);
-        INFO(info.id << " " << fix.title << "\n" << mended);
-        for (const auto& left : found(mended)) {
+        std::string fixed(info.example);
+        fixed.replace(fix.location.range.begin, fix.location.range.length(), fix.text);
+        INFO(info.id << " " << fix.title << "\n" << fixed);
+        for (const auto& left : found(fixed)) {
           INFO(syntax::info(left.code).id << ": " << left.message);
           CHECK(left.code != info.code);
           CHECK(left.severity == syntax::Severity::Hint);

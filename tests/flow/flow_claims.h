@@ -85,7 +85,7 @@ private:
   void demandOfSkill(const Diagnostic& claim, std::string_view kind);
   /// The program with the intervals that the analysis has found, and without transitions that are
   /// never made. These intervals must hold, and there must be no new forbidden moves.
-  void judgeMended();
+  void judgeFixed();
   [[nodiscard]] bool isOneOfMore(const Diagnostic& claim) const;
   /// Whether a diagnostic has changed the interval of the verdict's skill.
   [[nodiscard]] bool isRewritten(const Verdict& verdict) const;

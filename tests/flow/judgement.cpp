@@ -28,7 +28,7 @@ Judged Judgement::result() {
   judged.decided = true;
   for (const Verdict& verdict : verdicts) judge(verdict);
   for (const Diagnostic& each : found) judgeCertain(each);
-  judgeMended();
+  judgeFixed();
   return std::move(judged);
 }
 

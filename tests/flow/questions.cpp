@@ -77,15 +77,45 @@ private:
       const std::vector<NodeId> places = placesOf(*process.graph, node);
       if (places.size() == 2) askWhatFollows(id, node, places.back());
       for (Slot slot = 0; slot < process.slots.size(); ++slot)
-        forEachValue(process.slots[slot], [&](unsigned value, const std::string& condition) {
-          bool possible = false;
-          for (NodeId at : places) {
-            State state = report.solver.during(id, at);
-            possible |= state.reachable && state.values[slot].contains(value);
-          }
-          ask(fmt::format("(and (at {}) {})", each.statement->name.text, condition), possible);
-        });
+        if (!hasOwnOutcome(process, process.slots[slot]))
+          forEachValue(process.slots[slot], [&](unsigned value, const std::string& condition) {
+            bool possible = false;
+            for (NodeId at : places) {
+              State state = report.solver.during(id, at);
+              possible |= state.reachable && state.values[slot].contains(value);
+            }
+            ask(fmt::format("(and (at {}) {})", each.statement->name.text, condition), possible);
+          });
     });
+  }
+
+  /// Whether the body reads the outcome of its own last call, and a property that of the last call
+  /// by anybody: several threads call the skill.
+  [[nodiscard]] bool hasOwnOutcome(const Process& process, VariableId id) const {
+    const Variable& variable = report.variables()[id];
+    if (variable.kind != VariableKind::Status && variable.kind != VariableKind::Result)
+      return false;
+    const System& system = report.system();
+    const ProcessId skill = system.ofSkill(variable.definition);
+    const auto& sites = system.callers(skill);
+    const auto isMine = [&](const Site& site) {
+      return system[site.caller].definition == process.definition;
+    };
+    const auto isOther = [&](const Site& site) { return site.caller != sites.front().caller; };
+    return std::ranges::any_of(sites, isMine) &&
+           (system[skill].root || std::ranges::any_of(sites, isOther));
+  }
+
+  /// A property cannot read the inputs of a skill.
+  [[nodiscard]] static bool readsInput(const syntax::Expr& expr) {
+    return expr.kind == syntax::ExprKind::Parameter ||
+           std::ranges::any_of(expr.operands, readsInput);
+  }
+
+  [[nodiscard]] bool readsOwnOutcome(const Process& process, const syntax::Expr& condition) const {
+    std::vector<VariableId> reads;
+    report.system().resolver().addReads(condition, reads);
+    return std::ranges::any_of(reads, [&](VariableId id) { return hasOwnOutcome(process, id); });
   }
 
   /// Adjacent labels and the statement after them: one place in the model.
@@ -104,7 +134,9 @@ private:
     const Process& process = report.system()[id];
     const Node& node = (*process.graph)[next];
     const std::string here = fmt::format("(at {})", (*process.graph)[label].statement->name.text);
-    if (node.kind == NodeKind::Wait || node.kind == NodeKind::Test) {
+    const bool tests = node.kind == NodeKind::Wait || node.kind == NodeKind::Test;
+    if (tests && !readsInput(*node.conditions.front()) &&
+        !readsOwnOutcome(process, *node.conditions.front())) {
       const Condition& condition = process.actions[next].conditions.front();
       const std::string words = textAt(node.conditions.front()->range);
       bool holds = false;

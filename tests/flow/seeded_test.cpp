@@ -36,7 +36,7 @@ const Seed kSeeds[] = {
     {"drone/drone.proskill", "drone.proskill", "  :start (mission_status Ongoing)\n", "", "PS0501",
      "(mission_status "},
     {"rover/rover.proskill", "world.proskill", "(Turning Stuck) ", "", "PS0501", "(wheels Stuck)"},
-    {"rover/rover.proskill", "skills.proskill", "powered (>= energy 1)", "awake (>= energy 0)",
+    {"rover/rover.proskill", "skills.proskill", "powered (>= energy 1)", "powered (/= energy 3)",
      "PS0505", "(energy (- energy 1))"},
     {"arm/arm.proskill", "cell.proskill", "(+ on_table 1)", "(+ on_table 3)", "PS0504",
      "(on_table (+ on_table 3))"},
@@ -75,6 +75,20 @@ const Seed kSeeds[] = {
      "PS0804", "camera_on"},
     {"drone/drone.proskill", "drone.proskill", ":postcondition (flight_status InAir))",
      ":postcondition (motion Controlled))", "PS0806", "(motion Controlled)"},
+    {"drone/drone.proskill", "drone.proskill", "(defevent battery_to_good\n",
+     "(defevent battery_to_good\n  :guard (and (battery Low) (battery Critical))\n", "PS0807",
+     "(and (battery Low)"},
+    {"drone/drone.proskill", "drone.proskill", "(defevent battery_to_good\n",
+     "(defevent battery_to_good\n  :guard (or (battery Good) (~ (battery Good)))\n", "PS0808",
+     "(or (battery Good)"},
+    {"drone/drone.proskill", "drone.proskill", "battery_good (battery Good)",
+     "battery_good (battery Good)\n charged (~ (battery Low))", "PS0809", "charged (~"},
+    {"drone/drone.proskill", "drone.proskill",
+     ":invariant (in_control (:guard (motion Controlled))",
+     ":invariant (in_control (:guard (motion Controlled)) moving (:guard (~ (motion Free)))",
+     "PS0810", "moving (:guard"},
+    {"rover/skills.proskill", "skills.proskill", "  :precondition (daylight (sun Up))\n", "",
+     "PS0811", "daylight (:guard"},
     {"lift/lift.proskill", "building.proskill", "(Motor Doors)", "", "PS0502", "(cabin Doors)"},
     // Parallelism.
     {"drone/drone.proskill", "drone.proskill", "(printf \"Mission failed\")", "(takeoff.interrupt)",
@@ -313,7 +327,7 @@ TEST_CASE(
   expectOneFinding(kMistakes);
 }
 
-TEST_CASE("The edit that comes with a finding mends it, and nothing else is told for it") {
+TEST_CASE("The edit that comes with a finding fixes it, and nothing else is told for it") {
   std::size_t fixes = 0;
   for (const Seed& seed : kSeeds) {
     Seeded seeded = sow(seed);
@@ -321,9 +335,9 @@ TEST_CASE("The edit that comes with a finding mends it, and nothing else is told
     Said after(seeded.root, seeded.changed);
     for (const auto& finding : after.without(before))
       for (const syntax::Fix& fix : finding.fixes) {
-        Said mended(seeded.root, applied(after, seeded.changed, fix));
-        auto left = mended.without(before);
-        INFO(after.words(finding) << "\n" << fix.title << "\n" << shown(mended, left));
+        Said fixed(seeded.root, applied(after, seeded.changed, fix));
+        auto left = fixed.without(before);
+        INFO(after.words(finding) << "\n" << fix.title << "\n" << shown(fixed, left));
         CHECK(left.empty());
         ++fixes;
       }

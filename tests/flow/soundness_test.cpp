@@ -25,6 +25,9 @@ const test::ProgramSize kMany{.resources = 2,
                               .environment = 30,
                               .labels = 40};
 
+/// Conditions and effects that read inputs.
+const test::ProgramSize kInputs{.library = 20, .inputs = 60, .labels = 40};
+
 /// Findings of the flow analysis, except on resource order, rates, style and constants.
 bool makesClaim(std::string_view id) {
   return id >= "PS0500" && id < "PS1100" && id != "PS0903" && id != "PS1006" && id != "PS0616";
@@ -77,4 +80,12 @@ TEST_CASE("The engine refutes nothing that the analysis claims about random prog
     INFO(info.id << " is never said of these programs");
     CHECK((!makesClaim(info.id) || tally.codes.contains(std::string(info.id))));
   }
+}
+
+TEST_CASE("The engine refutes nothing that the analysis claims about inputs") {
+  Tally tally;
+  const auto seeds = test::seedsOr(4'000'001, 400);
+  for (auto seed = seeds.first; seed < seeds.end; ++seed) expectSound(seed, kInputs, tally);
+  if (std::getenv("PROSKILL_SEEDS")) WARN(tally.decided << " decided");
+  CHECK(tally.impossible > seeds.end - seeds.first);
 }

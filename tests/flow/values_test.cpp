@@ -120,3 +120,10 @@ TEST_CASE("What a stopped skill has left behind is known to its caller") {
 (defskill mission :body ((careful) (if (light On) (printf "left on")))))");
   CHECK(flow.at("(if", "light") == "Off or On");
 }
+
+TEST_CASE("An event with a guard strikes only where the guard holds") {
+  Analysed flow(kLight + R"((defevent breaks :guard (light On) :effects (light Broken))
+(defskill mission :body ((printf "off") (if (light Off) (set (light On))) (flash))))");
+  CHECK(flow.at("(if", "light") == "Off");
+  CHECK(flow.at("(flash)", "light") == "On or Broken");
+}

@@ -29,10 +29,13 @@ std::size_t tryAll(const fs::path& folder, void (*target)(std::string_view)) {
 
 } // namespace
 
-TEST_CASE("what the fuzzers have found stays mended") {
+TEST_CASE("what the fuzzers have found stays fixed") {
   CHECK(tryAll("fuzz/corpus/proskill", fuzz::proskill) > 0);
   CHECK(tryAll("fuzz/corpus/fiacre", fuzz::fiacre) > 0);
   CHECK(tryAll("fuzz/corpus/bt", fuzz::bt) > 1);
+  CHECK(tryAll("fuzz/corpus/gen", fuzz::gen) > 0);
+  CHECK(tryAll("fuzz/corpus/leaves", fuzz::leaves) > 0);
+  CHECK(tryAll("fuzz/corpus/rl", fuzz::rl) > 1);
   CHECK(tryAll("fuzz/corpus/protocol", fuzz::protocol) > 0);
   CHECK(tryAll("fuzz/corpus/http", fuzz::http) > 5);
   CHECK(tryAll("fuzz/corpus/tina", fuzz::tina) > 8);
@@ -41,6 +44,8 @@ TEST_CASE("what the fuzzers have found stays mended") {
 TEST_CASE("what is fuzzed holds for the examples") {
   CHECK(tryAll("examples/fiacre", fuzz::fiacre) > 10);
   CHECK(tryAll("examples/patrol", fuzz::bt) > 4);
+  CHECK(tryAll("examples/crane", fuzz::rl) > 2);
+  CHECK(tryAll("examples/gripper", fuzz::gen) > 4);
   CHECK(tryAll("examples/rover", fuzz::proskill) > 3);
 }
 

@@ -53,6 +53,23 @@ def made():
     return (done.stdout + done.stderr).splitlines()
 
 
+def section(title):
+    """A section of the manual page, in troff."""
+    return read("man/proskill.1").partition(f"\n.SH {title}\n")[2].partition("\n.SH ")[0]
+
+
+def missing_in_manual():
+    """Commands and exit codes of `--help` that the manual page lacks."""
+    codes = {code: re.findall(r"^\.B (\S+)", text, re.M)
+             for code, text in re.findall(r"^\.B (\d+)\n((?:(?!\.B \d).*\n?)*)", section("EXIT STATUS"), re.M)}
+    for command in subcommands():
+        if f".B proskill {command}\n" not in section("SYNOPSIS"):
+            yield f"man/proskill.1: SYNOPSIS lacks `proskill {command}`"
+        for code in re.findall(r"^  (\d) ", help_of(command).partition("Exit code:\n")[2], re.M):
+            if command not in codes.get(code, []):
+                yield f"man/proskill.1: EXIT STATUS {code} lacks `{command}`"
+
+
 def warnings():
     """Warnings of man about the manual page."""
     done = subprocess.run(["man", "--warnings", "-l", "-Tutf8", "man/proskill.1"], cwd=ROOT,
@@ -61,7 +78,8 @@ def warnings():
     return done.stderr.splitlines()
 
 
-found = [complaint for command in subcommands() for complaint in complaints(command)] + made() + warnings()
+found = [complaint for command in subcommands() for complaint in complaints(command)]
+found += [*missing_in_manual(), *made(), *warnings()]
 if not subcommands():
     found.append("`proskill --help` shows no subcommands")
 finish(found, f"--help, the manual page and three shells agree on {', '.join(subcommands())}")

@@ -120,7 +120,7 @@ TEST_CASE("every kind of statement, expression and property is used in some exam
   auto used = usedInExamples();
   const std::vector<int> none;
   CHECK(unused(allUpTo(StatementKind::Choose), used.statements) == none);
-  CHECK(unused(allUpTo(ExprKind::Until), used.expressions) == none);
+  CHECK(unused(allUpTo(ExprKind::StrongRelease), used.expressions) == none);
   CHECK(unused(allUpTo(PropertyKind::Ltl), used.properties) == none);
 }
 

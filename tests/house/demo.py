@@ -78,8 +78,8 @@ def owners(files):
 def configured(directory):
     """What CMake reads and finds on the system, from a configuration of its own: the cache's paths, and modules."""
     trace = directory / "trace"
-    done = run("cmake", "--preset", "program", "-B", directory / "build", "--trace", "--trace-format=json-v1",
-               f"--trace-redirect={trace}", cwd=ROOT)
+    done = run("cmake", "--preset", "program", "-D", "PROSKILL_ROS2=OFF", "-D", "PROSKILL_MPI=OFF", "-B", directory / "build", "--trace",
+               "--trace-format=json-v1", f"--trace-redirect={trace}", cwd=ROOT)
     if done.returncode:
         finish([done.stdout + done.stderr], "")
     cache = (directory / "build/CMakeCache.txt").read_text(encoding="utf-8")
@@ -88,9 +88,9 @@ def configured(directory):
 
 
 def compiled():
-    """The headers that the program's sources read, as ninja has them from the compiler."""
+    """The headers that the program's sources read, as ninja has them from the compiler. What ROS 2 and MPI need is not the program's."""
     shown = run("ninja", "-C", BUILD, "-t", "deps").stdout
-    own = re.compile(r"^(?!tests/|bench/|fuzz/)\S+:.*\n((?:    .*\n)+)", re.M)
+    own = re.compile(r"^(?!tests/|bench/|fuzz/|dds/|mpi/)\S+:.*\n((?:    .*\n)+)", re.M)
     return {line.strip() for part in own.findall(shown) for line in part.splitlines() if line.strip().startswith("/usr/")}
 
 

@@ -33,11 +33,11 @@ def row_of(path):
 
 
 def is_allowed(name, header):
-    """Another library is allowed by the row of the whole library, a part of the same by the part's own row.
+    """Another library, or one folder of it, is allowed by the row of the whole library, a part of the same by the part's own row.
     A file that lies in no subfolder is the library's face: it may include all subfolders."""
     top, target_top = name.split("/")[0], header.split("/")[0]
     if target_top != top:
-        return target_top in FOLDERS[top]
+        return bool({target_top, row_of(header)} & FOLDERS[top])
     here, there = row_of(name), row_of(header)
     return here == there or here == top or there in FOLDERS[here]
 
@@ -75,7 +75,7 @@ def cycles():
 SOURCES = [name for name in files(".cpp", ".h") if name.split("/")[0] in FOLDERS]
 found = [complain(name, *include) for name in SOURCES for include in INCLUDE.findall(read(name))]
 for folder in TOPS:
-    for target in linked(folder) & TOPS - FOLDERS[folder] - {folder}:
+    for target in linked(folder) & TOPS - {it.split("/")[0] for it in FOLDERS[folder]} - {folder}:
         found.append(f"{folder}/CMakeLists.txt: links proskill_{target}, which it may not include")
 found += cycles()
 finish([complaint for complaint in found if complaint], f"{len(SOURCES)} files, {len(FOLDERS)} folders")

@@ -1,8 +1,10 @@
-"""cpack makes a Debian package with all that belongs into it, and its program runs.
+"""cpack makes a Debian package with all that belongs into it, its program runs, and the Containerfile installs it.
 
 usage: package.py BUILD_DIRECTORY
 """
 
+import fnmatch
+import json
 import os
 import pathlib
 import re
@@ -11,7 +13,7 @@ import subprocess
 import sys
 import tempfile
 
-from house import finish
+from house import ROOT, finish, read
 
 BUILD = pathlib.Path(sys.argv[1])
 DOC = "usr/share/doc/proskill"
@@ -64,6 +66,43 @@ def wrong(root, command, file):
     return found + [f"{file}: does not name `{name}`" for name in names if not re.search(rf"\b{name}\b", text)]
 
 
+# The Containerfile is compared with the package; an image would need a registry and a daemon.
+def instructions():
+    """Pairs of an instruction of the Containerfile and its arguments."""
+    text = re.sub(r"\\\n\s*", " ", read("Containerfile"))
+    return [line.split(maxsplit=1) for line in text.splitlines() if re.match(r"[A-Z]+ ", line)]
+
+
+def is_sent(path):
+    """Whether .dockerignore lets the builder see it: the last rule that matches decides."""
+    sent = True
+    for rule in filter(None, read(".dockerignore").split()):
+        if fnmatch.fnmatch(path, rule.removeprefix("!")):
+            sent = rule.startswith("!")
+    return sent
+
+
+def wrong_copies(package):
+    """Sources of COPY that are neither in the tree nor the package, and a destination from which nothing is installed."""
+    complaints = []
+    commands = " ".join(arguments for name, arguments in instructions() if name == "RUN")
+    for *sources, target in (arguments.split() for name, arguments in instructions() if name == "COPY"):
+        for source in sources:
+            found = [f"build/{package}"] if fnmatch.fnmatch(f"build/{package}", source) else [str(it.relative_to(ROOT)) for it in ROOT.glob(source)]
+            complaints += [] if found else [f"Containerfile: there is no {source}; the package is build/{package}"]
+            complaints += [f".dockerignore: leaves out {path}" for path in found if not is_sent(path)]
+        installed = [word for word in commands.split() if fnmatch.fnmatch(target + package, word)]
+        complaints += [] if installed else [f"Containerfile: {target + package} is not installed"]
+    return complaints
+
+
+def wrong_container(package, names):
+    """What does not fit a package with this file name and these entries."""
+    programs = [json.loads(arguments)[0] for name, arguments in instructions() if name == "ENTRYPOINT"]
+    absent = [f"Containerfile: {it} is not in {package}" for it in programs if f"usr/bin/{it}" not in names]
+    return wrong_copies(package) + absent + ([] if programs else ["Containerfile: it runs no program"])
+
+
 for program, debian in [("dpkg-shlibdeps", "dpkg-dev"), ("file", "file")]:
     if not shutil.which(program):
         print(f"skipped: {debian} is not installed (apt-get install {debian})")
@@ -79,6 +118,7 @@ with tempfile.TemporaryDirectory() as directory:
     depends = run("dpkg-deb", "-f", package, "Depends")
     complaints += [f"{package.name}: does not depend on {library}" for library in LIBRARIES
                    if library not in depends]
+    complaints += wrong_container(package.name, names)
     root = pathlib.Path(directory) / "root"
     run("dpkg-deb", "-x", package, root)
     run(root / "usr/bin/proskill", "check", root / DOC / "examples/drone/drone.proskill")

@@ -45,8 +45,8 @@ std::string after(std::string_view marked, std::string_view title) {
   INFO(text);
   CHECK(syntax::Document::parse(text).diagnostics().size() <=
         program.view().document().diagnostics().size());
-  bool mends = action->fixes || action->kind == ide::ActionKind::SourceFixAll;
-  if (!mends) CHECK(errorsOf(text) == errorsOf(program.view().text()));
+  bool isFix = action->fixes || action->kind == ide::ActionKind::SourceFixAll;
+  if (!isFix) CHECK(errorsOf(text) == errorsOf(program.view().text()));
   return text;
 }
 
@@ -63,13 +63,13 @@ TEST_CASE("the fixes of a diagnostic, where it is") {
   CHECK(after("(defsv ^lamp :states (On Off) :init Offf)\n", "did you mean") == "refused");
 }
 
-TEST_CASE("all findings of one kind, and all that one edit mends") {
+TEST_CASE("all findings of one kind, and all that one edit fixes") {
   const auto* text = "(defsv lamp :states (On Off) :init Of^ff)\n"
                      "(defsv door :states (Open Closed) :init Opn)\n";
-  const auto* mended = "(defsv lamp :states (On Off) :init Off)\n"
-                       "(defsv door :states (Open Closed) :init Open)\n";
-  CHECK(after(text, "Fix all PS") == mended);
-  CHECK(after(text, "Apply all automatic fixes") == mended);
+  const auto* fixed = "(defsv lamp :states (On Off) :init Off)\n"
+                      "(defsv door :states (Open Closed) :init Open)\n";
+  CHECK(after(text, "Fix all PS") == fixed);
+  CHECK(after(text, "Apply all automatic fixes") == fixed);
 }
 
 TEST_CASE("a finding that is no error can be ignored") {

@@ -87,6 +87,25 @@ TEST_CASE("the values of a state variable, behind its name") {
     CHECK(labelsIn(text) == kBattery);
 }
 
+TEST_CASE("a letter of linear temporal logic takes formulas, or values of a variable of its name") {
+  CHECK(contains(labelsIn("(defproperty p (ltl (G (=> (running takeoff) (F (battery ^"), "Low"));
+  CHECK(contains(labelsIn("(defproperty p (ltl (G ^"), "running"));
+  CHECK(contains(labelsIn("(defproperty p (ltl (^"), "W"));
+  CHECK_FALSE(contains(labelsIn("(defproperty p (always (^"), "W"));
+  CHECK(contains(labelsIn("(defsv F :states (On Off)) (defproperty p (ltl (F ^"), "Off"));
+}
+
+TEST_CASE("inputs that have the values of a state variable") {
+  const std::string skill = "(defskill f :input ($b battery $n level $x float) ";
+  const auto behindBattery = Labels{"Good", "Low", "Critical", "$b"};
+  CHECK(labelsIn(skill + ":precondition (a (battery ^") == behindBattery);
+  CHECK(labelsIn(skill + ":start (battery ^") == behindBattery);
+  auto values = labelsIn(skill + ":body ((if (= $b ^");
+  CHECK(Labels(values.begin(), values.begin() + 4) == behindBattery);
+  CHECK(contains(labelsIn(skill + ":body ((if (< ^"), "$n"));
+  CHECK_FALSE(contains(labelsIn(skill + ":body ((if (< ^"), "$x"));
+}
+
 TEST_CASE("beside a value of a comparison, what it can be compared with comes first") {
   auto values = labelsIn("(defskill f :body ((if (= battery ^");
   CHECK(Labels(values.begin(), values.begin() + 3) == kBattery);
@@ -113,7 +132,7 @@ TEST_CASE("the fields that are not there yet") {
   CHECK(labelsIn("(defsv lamp ^") == Labels{":states", ":init", ":transitions", ":min", ":max"});
   CHECK(labelsIn("(defsv lamp :states (A B) ^)") == Labels{":init", ":transitions"});
   CHECK(labelsIn("(defsv lamp :min 0 :i^") == Labels{":init", ":max"});
-  CHECK(labelsIn("(defevent e ^)") == Labels{":every", ":effects"});
+  CHECK(labelsIn("(defevent e ^)") == Labels{":every", ":guard", ":effects"});
   CHECK(labelsIn("(defresource r :^)") == Labels{":capacity"});
   CHECK(labelsIn("(defenvironment e ^)") == Labels{":body"});
   CHECK(labelsIn("(defskill f :invariant (t (:guard (battery Low) ^") == Labels{":effects"});
@@ -123,7 +142,8 @@ TEST_CASE("the fields that are not there yet") {
   CHECK(labelsIn("(defskill f :body ((^ [1,2] ^") == Labels{":effects", ":timeout"});
   CHECK(labelsIn("(defproperty p (present (running takeoff) ^") ==
         Labels{":after", ":before", ":within", ":for", ":fair", ":lasting"});
-  CHECK(labelsIn("(defproperty p (ltl (running takeoff) :fair ^") == Labels{"nil", "t"});
+  CHECK(labelsIn("(defproperty p (ltl (running takeoff) :fair ^") ==
+        Labels{"nil", "t", "(skill …)"});
 }
 
 TEST_CASE("nothing is offered in a list where only a keyword fits") {

@@ -48,7 +48,7 @@ TEST_CASE("the innermost list that has a signature counts") {
 
 TEST_CASE("fields of definitions and clauses") {
   CHECK(helpText("(defevent e :effects ^") ==
-        "(defevent NAME :every [LEAST,MOST] <:effects EFFECTS>)");
+        "(defevent NAME :every [LEAST,MOST] :guard CONDITION <:effects EFFECTS>)");
   CHECK(helpText("(defskill f :invariant (t (:guard ^") == "(<:guard CONDITION> :effects EFFECTS)");
   CHECK(helpText("(defskill f :time_interval ^") == "<:time_interval [LEAST,MOST]>");
   CHECK(helpText("(defsv lamp ^").starts_with("(defsv NAME :states"));

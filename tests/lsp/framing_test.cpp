@@ -3,7 +3,6 @@
 #include <catch2/catch.hpp>
 
 using namespace proskill;
-using namespace proskill::lsp;
 using namespace proskill::rpc;
 
 namespace {

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <thread>
+
 using namespace proskill;
 using namespace std::chrono_literals;
 
@@ -21,4 +23,14 @@ TEST_CASE("diagnostics do not wait where those of all texts took next to no time
   CHECK_FALSE(pace.isQuick());
   pace.begin(3, 0);
   CHECK(pace.isQuick());
+}
+
+TEST_CASE("the work of others does not count as a thread's own") {
+  const auto began = lsp::ThreadClock::now();
+  lsp::ThreadClock::duration others{};
+  std::thread([&] {
+    const auto begin = lsp::ThreadClock::now();
+    while (others < lsp::Pace::kUnnoticed) others = lsp::ThreadClock::now() - begin;
+  }).join();
+  CHECK(lsp::ThreadClock::now() - began < others);
 }

@@ -1,6 +1,7 @@
 #include "process/child.h"
 #include "rpc/framing.h"
 #include "rpc/rpc.h"
+#include "tests/support/endless_program.h"
 #include "tests/where.h"
 
 #include <catch2/catch.hpp>
@@ -17,21 +18,12 @@ using namespace proskill;
 
 namespace {
 
-/// Nine skills that anybody may call at any time: the state space is practically endless.
-std::string endlessProgram() {
-  std::string text;
-  for (int i = 5; i < 14; ++i)
-    text += "(defskill s" + std::to_string(i) + " :time_interval [1," + std::to_string(i) +
-            "] :action (a) :success ok :failure bad)\n";
-  return text;
-}
-
 /// `proskill lsp` as a process, and its output.
 class ServerProcess {
 public:
   ServerProcess() : child(started()) {
     send(rpc::request(1, "initialize",
-                      {{"capabilities", Json::object()},
+                      {{"capabilities", {{"experimental", {{"verdicts", "all"}}}}},
                        {"initializationOptions", {{"verify", {{"delay", 0}, {"seconds", 600}}}}}}));
     send(rpc::notification("initialized", Json::object()));
   }
@@ -108,7 +100,7 @@ int verifyingProcess(ServerProcess& server) {
                                                           {{"uri", "file:///w/many.proskill"},
                                                            {"languageId", "proskill"},
                                                            {"version", 1},
-                                                           {"text", endlessProgram()}}}}));
+                                                           {"text", test::endlessProgram()}}}}));
   auto news = server.notified("proskill/verdicts",
                               [](const Json& it) { return it["progress"].is_object(); });
   REQUIRE(news.is_object());

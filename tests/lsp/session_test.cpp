@@ -132,7 +132,7 @@ TEST_CASE("an identifier that waits already is refused, and each request is answ
   CHECK(session.answer(id)["result"] == Json::array());
 }
 
-TEST_CASE("diagnostics come when a text is opened, and go when it is mended") {
+TEST_CASE("diagnostics come when a text is opened, and go when it is fixed") {
   Session session;
   session.initialize();
   session.open(kLamp, "; 😀é\n(defsv lamp :states (On Off) :init Of)\n");

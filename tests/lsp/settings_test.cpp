@@ -1,7 +1,7 @@
 #include "lsp/protocol/client_settings.h"
 #include "lsp/server/announcer.h"
 #include "lsp/workspace/file_cache.h"
-#include "lsp/workspace/program_settings.h"
+#include "report/program_settings.h"
 #include "tests/lsp/support/session.h"
 
 #include <catch2/catch.hpp>
@@ -52,15 +52,15 @@ TEST_CASE("settings of the wrong type are as if they had not been said") {
 TEST_CASE("the nearest file of settings is the one that holds") {
   const test::MemoryFiles files({{"/w/.proskill.json", R"({"style": true})"},
                                  {"/w/strict/.proskill.json", R"({"style": 3})"}});
-  auto outer = lsp::settingsFor(files, "/w/lax/main.proskill");
+  auto outer = report::settingsFor(files, "/w/lax/main.proskill");
   CHECK(outer.settings.style);
   CHECK(outer.file == "/w/.proskill.json");
   CHECK_FALSE(outer.mistake);
-  auto inner = lsp::settingsFor(files, "/w/strict/main.proskill");
+  auto inner = report::settingsFor(files, "/w/strict/main.proskill");
   CHECK_FALSE(inner.settings.style);
   REQUIRE(inner.mistake);
   CHECK(inner.mistake->description == "`style` must be `true` or `false`");
-  CHECK(lsp::settingsFor(files, "/v/main.proskill").file.empty());
+  CHECK(report::settingsFor(files, "/v/main.proskill").file.empty());
 }
 
 TEST_CASE("a mistake in settings is told where it stands") {
@@ -76,7 +76,7 @@ TEST_CASE("a mistake in settings is told where it stands") {
         std::tuple{R"({"style": true,})", "}", "invalid JSON"},
         std::tuple{R"([])", "", "a JSON object"}, std::tuple{"", "", "invalid JSON"}}) {
     INFO(text);
-    auto settings = lsp::parseSettings(text);
+    auto settings = report::parseSettings(text);
     REQUIRE_FALSE(settings);
     const auto& [said, whole, at] = settings.error();
     CHECK(whole.substr(at.begin, at.length()) == place);

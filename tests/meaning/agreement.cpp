@@ -1,6 +1,7 @@
 #include "tests/meaning/agreement.h"
 
 #include "tests/meaning/replay.h"
+#include "tests/meaning/timed/duration.h"
 #include "tests/meaning/timed/pattern.h"
 #include "tests/meaning/verdicts.h"
 #include "tests/support/texts.h"
@@ -21,7 +22,8 @@ std::string wordOf(verify::Truth truth) {
 
 std::vector<verify::Question> questionsOf(const codegen::Model& model) {
   std::vector<verify::Question> questions;
-  for (const auto& check : model.checks) questions.push_back({check.property, check.fair});
+  for (const auto& check : model.checks)
+    questions.push_back({check.property, check.fair, check.exempt, check.rests});
   return questions;
 }
 
@@ -42,6 +44,26 @@ void compareTruth(bool expected, const verify::Answer& answer, Comparison& compa
                                         wordOf(answer.truth), answer.reason, expected);
 }
 
+std::string wordsOf(const verify::Duration& duration) {
+  if (!duration.happens) return "never";
+  if (!duration.bounded) return "unbounded";
+  return std::to_string(duration.value.value) + (duration.value.strict ? ", excluded" : "");
+}
+
+/// To the interpreter, a time that is too long for it looks like an unbounded one.
+void compareDuration(const verify::Duration& expected, const verify::Answer& answer,
+                     Comparison& comparison) {
+  ++comparison.questions;
+  ++comparison.scopes;
+  const auto& got = answer.duration;
+  const bool isLong = expected.happens && !expected.bounded && got && got->happens;
+  if (isLong && (!got->bounded || got->value.value >= kMeasured)) return;
+  if (got == expected) return;
+  comparison.kind = "another time";
+  comparison.disagreement = fmt::format("  engine:      {}\n  interpreter: {}",
+                                        got ? wordsOf(*got) : answer.reason, wordsOf(expected));
+}
+
 /// Compares the engine's answers with these options.
 void compareAnswers(const Script& script, const codegen::Model& model, const Verdicts& verdicts,
                     const Replays& replays, const verify::Options& options,
@@ -57,6 +79,8 @@ void compareAnswers(const Script& script, const codegen::Model& model, const Ver
     compareTrace(replays, answer, comparison);
     const auto expected = verdicts.isTrue(check, model.provenance.origins[check.origin]);
     if (expected && !comparison.disagreement) compareTruth(*expected, answer, comparison);
+    const auto time = verdicts.duration(check);
+    if (time && !comparison.disagreement) compareDuration(*time, answer, comparison);
     if (expected && check.kind == "property")
       comparison.scopes += hasScopeOrTime(script.program->properties.find(check.subject)->node());
     if (!comparison.disagreement) continue;
@@ -89,21 +113,24 @@ Comparison compare(const Script& script, const codegen::Model& model, std::size_
 } // namespace
 
 Comparison compare(const std::vector<test::Form>& forms, std::size_t limit,
-                   const verify::Options& options) {
+                   const verify::Options& options, codegen::Edition edition) {
   const auto program = test::programOfText(test::textOf(forms));
   if (!test::isWellFormed(program)) return {};
-  const auto script = scriptOf(program);
-  const auto model = codegen::generate(program);
+  auto script = scriptOf(program);
+  const auto model = codegen::generate(program, {.edition = edition});
   if (!script || !model) return {};
+  const auto comesByItself = [](const syntax::Event* event) { return event->every.has_value(); };
+  script->eventsBecomeDue =
+      edition == codegen::Edition::Expanded && std::ranges::any_of(script->events, comesByItself);
   return compare(*script, *model, limit, options);
 }
 
 std::string smallest(std::vector<test::Form> program, std::size_t limit,
-                     const verify::Options& options) {
+                     const verify::Options& options, codegen::Edition edition) {
   const auto small = test::minimise(std::move(program), [&](const auto& forms) {
-    return compare(forms, limit, options).disagreement.has_value();
+    return compare(forms, limit, options, edition).disagreement.has_value();
   });
-  return test::textOf(small) + *compare(small, limit, options).disagreement;
+  return test::textOf(small) + *compare(small, limit, options, edition).disagreement;
 }
 
 } // namespace proskill::meaning

@@ -2,6 +2,7 @@
 
 #include "tests/support/random/form.h"
 
+#include "codegen/model.h"
 #include "verify/verify.h"
 
 #include <optional>
@@ -23,11 +24,14 @@ struct Comparison {
 };
 
 /// Asks the engine and the interpreter of programs the same questions.
+/// \param edition of the model that the engine reads
 [[nodiscard]] Comparison compare(const std::vector<test::Form>& program, std::size_t limit,
-                                 const verify::Options& options = {});
+                                 const verify::Options& options = {},
+                                 codegen::Edition edition = codegen::Edition::Compact);
 
 /// Reduces the program to the smallest one with a disagreement, and describes it.
 [[nodiscard]] std::string smallest(std::vector<test::Form> program, std::size_t limit,
-                                   const verify::Options& options = {});
+                                   const verify::Options& options = {},
+                                   codegen::Edition edition = codegen::Edition::Compact);
 
 } // namespace proskill::meaning

@@ -7,6 +7,7 @@
 
 #include <cstdlib>
 #include <map>
+#include <string_view>
 
 using namespace proskill;
 
@@ -26,10 +27,11 @@ struct Tally {
 
 /// The first of each kind is shown, reduced to a minimum.
 void note(Tally& tally, std::uint64_t seed, const std::string& kind,
-          const std::vector<test::Form>& program) {
+          const std::vector<test::Form>& program, codegen::Edition edition) {
   if (++tally.disagreements[kind] > 1) return;
   WARN("seed " << seed << ", " << kind);
-  UNSCOPED_INFO("seed " << seed << ", " << kind << "\n" << meaning::smallest(program, kLimit));
+  UNSCOPED_INFO("seed " << seed << ", " << kind << "\n"
+                        << meaning::smallest(program, kLimit, {}, edition));
 }
 
 /// Every tenth program has constants in place of its numbers.
@@ -38,14 +40,24 @@ std::vector<test::Form> programOf(std::uint64_t seed, const test::ProgramSize& s
   return seed % 10 == 0 ? test::withConstants(program) : program;
 }
 
+/// Every tenth program is verified in the expanded edition, and all with
+/// `PROSKILL_EDITION=expanded`. There, steps are more, so a formula about the next step means
+/// something else.
+codegen::Edition editionOf(std::uint64_t seed, const test::ProgramSize& size) {
+  const char* asked = std::getenv("PROSKILL_EDITION");
+  const bool isExpanded = (asked && std::string_view(asked) == "expanded") || seed % 10 == 5;
+  return isExpanded && size.next == 0 ? codegen::Edition::Expanded : codegen::Edition::Compact;
+}
+
 Tally compareAll(std::uint64_t first, std::uint64_t count, const test::ProgramSize& size) {
   Tally tally;
   const auto [begin, end] = test::seedsOr(first, count);
   for (auto seed = begin; seed < end; ++seed) {
     const auto program = programOf(seed, size);
-    const auto comparison = meaning::compare(program, kLimit);
+    const auto edition = editionOf(seed, size);
+    const auto comparison = meaning::compare(program, kLimit, {}, edition);
     if (comparison.refusal) FAIL("seed " << seed << ": " << *comparison.refusal);
-    if (comparison.disagreement) note(tally, seed, comparison.kind, program);
+    if (comparison.disagreement) note(tally, seed, comparison.kind, program, edition);
     ++tally.programs;
     tally.tooLarge += comparison.tooLarge ? 1 : 0;
     tally.questions += comparison.questions;
@@ -97,6 +109,18 @@ TEST_CASE("so are those of races") {
                                  .forks = 70,
                                  .races = 80});
   CHECK(tally.tooLarge < tally.programs * 2 / 3);
+}
+
+TEST_CASE("so are those of inputs that conditions and effects read") {
+  const auto tally = compareAll(4'000'000, 1000, {.properties = 4, .library = 20, .inputs = 60});
+  CHECK(tally.tooLarge < tally.programs / 2);
+}
+
+TEST_CASE("so are those of formulas about the next step") {
+  const auto tally = compareAll(
+      5'000'000, 600,
+      {.naturals = 0, .composites = 0, .monitors = 1, .properties = 8, .open = 0, .next = 40});
+  CHECK(tally.questions > tally.programs * 10);
 }
 
 TEST_CASE("so are those of patterns with scopes and times") {

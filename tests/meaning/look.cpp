@@ -45,6 +45,7 @@ std::int64_t Look::number(const Expr& value) const {
   switch (value.kind) {
   case ExprKind::Number: return value.number.numerator;
   case ExprKind::Symbol: return now.values[script.variable(value.name.text)];
+  case ExprKind::Parameter: return given(value);
   case ExprKind::Add:
   case ExprKind::Subtract: {
     const auto sign = value.kind == ExprKind::Add ? 1 : -1;
@@ -57,24 +58,40 @@ std::int64_t Look::number(const Expr& value) const {
   }
 }
 
+std::int64_t Look::given(const Expr& parameter) const {
+  const auto [skill, slot] = script.parameters.at(&parameter);
+  return now.skills[skill].given.at(slot);
+}
+
+/// The variable that it is, or whose values it has.
+int Look::variableOf(const Expr& expr) const {
+  if (expr.kind == ExprKind::Symbol) return script.variable(expr.name.text);
+  if (expr.kind != ExprKind::Parameter) return kNobody;
+  const auto [skill, slot] = script.parameters.at(&expr);
+  return script.skills[skill].inputs[slot].variable;
+}
+
+std::int64_t Look::valueFor(int variable, const Expr& value) const {
+  if (script.variables[variable]->isNatural()) return number(value);
+  return value.kind == ExprKind::Parameter ? given(value) : stateOf(variable, value.name.text);
+}
+
 bool Look::isEnumeration(const Expr& expr) const {
-  if (expr.kind != ExprKind::Symbol) return false;
-  const int variable = script.variable(expr.name.text);
+  const int variable = variableOf(expr);
   return variable != kNobody && !script.variables[variable]->isNatural();
 }
 
 bool Look::equal(const Expr& a, const Expr& b, int thread) const {
   if (a.kind == ExprKind::Access || b.kind == ExprKind::Access)
     return wordOf(a, thread) == wordOf(b, thread);
-  if (isEnumeration(a)) return hasValue(a.name.text, b);
-  if (isEnumeration(b)) return hasValue(b.name.text, a);
+  if (isEnumeration(a)) return number(a) == valueFor(variableOf(a), b);
+  if (isEnumeration(b)) return number(b) == valueFor(variableOf(b), a);
   return number(a) == number(b);
 }
 
 bool Look::hasValue(std::string_view variable, const Expr& value) const {
   const int index = script.variable(variable);
-  if (script.variables[index]->isNatural()) return now.values[index] == number(value);
-  return now.values[index] == stateOf(index, value.name.text);
+  return now.values[index] == valueFor(index, value);
 }
 
 std::int64_t Look::stateOf(int variable, std::string_view word) const {

@@ -14,6 +14,8 @@ public:
   [[nodiscard]] std::int64_t number(const syntax::Expr& value) const;
   /// The state of a variable that a word names: its own, or the value of another variable.
   [[nodiscard]] std::int64_t stateOf(int variable, std::string_view word) const;
+  /// A value for a variable: a number, a word, or an argument of the current call.
+  [[nodiscard]] std::int64_t valueFor(int variable, const syntax::Expr& value) const;
 
   /// Whether every guard of the skill is true.
   [[nodiscard]] bool guardsHold(int skill) const;
@@ -26,6 +28,8 @@ public:
 
 private:
   [[nodiscard]] bool isEnumeration(const syntax::Expr& expr) const;
+  [[nodiscard]] std::int64_t given(const syntax::Expr& parameter) const;
+  [[nodiscard]] int variableOf(const syntax::Expr& expr) const;
   [[nodiscard]] bool equal(const syntax::Expr& a, const syntax::Expr& b, int thread) const;
   [[nodiscard]] bool hasValue(std::string_view variable, const syntax::Expr& value) const;
   [[nodiscard]] std::string_view wordOf(const syntax::Expr& expr, int thread) const;

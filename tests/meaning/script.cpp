@@ -1,5 +1,7 @@
 #include "tests/meaning/script.h"
 
+#include "tests/meaning/inputs.h"
+
 #include "syntax/tree/statements.h"
 
 #include <algorithm>
@@ -131,6 +133,7 @@ public:
       script.environment = addThread(program.environments.all[0]->body, kNobody);
     chooseUnit();
     findHoldOuts();
+    findInputs(script);
     return std::move(script);
   }
 

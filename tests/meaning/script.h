@@ -40,6 +40,12 @@ struct Thread {
   [[nodiscard]] bool isBranch() const { return parent != kNobody; }
 };
 
+/// An input of a skill that conditions or effects may depend on.
+struct InputEntry {
+  std::string_view name; ///< with its `$`
+  int variable = 0;      ///< the state variable whose values it has
+};
+
 /// A skill that can run in the program.
 struct SkillEntry {
   const syntax::Skill* node = nullptr;
@@ -48,6 +54,7 @@ struct SkillEntry {
   bool calledByAnyone = false; ///< of a library: it may be called at any time
   std::set<int> callers;       ///< threads
   bool holdsOut = false;       ///< whoever stops it may have to wait
+  std::vector<InputEntry> inputs;
 
   [[nodiscard]] bool isComposite() const { return body != kNobody; }
   [[nodiscard]] bool runsOnce() const { return root && callers.empty(); }
@@ -68,6 +75,10 @@ struct Script {
   int mission = kNobody;
   int environment = kNobody; ///< thread; nobody: every event and interrupt at any time
   std::int64_t unitsPerSecond = 1;
+  /// The translation makes a step before an event with `:every`: the event becomes due.
+  bool eventsBecomeDue = false;
+  /// Where an input is read: the skill and which of its inputs it is.
+  std::map<const syntax::Expr*, std::pair<int, int>> parameters;
 
   [[nodiscard]] int skill(std::string_view name) const; ///< nobody: it never runs
   [[nodiscard]] int variable(std::string_view name) const;

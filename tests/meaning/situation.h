@@ -27,8 +27,9 @@ struct SkillState {
   Phase phase = Phase::Idle;
   int caller = kNobody; ///< a thread, or root
   Outcome last;
-  bool stop = false;       ///< it was asked to stop
-  bool endedEarly = false; ///< and no time has passed since
+  bool stop = false;               ///< it was asked to stop
+  bool endedEarly = false;         ///< and no time has passed since
+  std::vector<std::int64_t> given; ///< the arguments of the current call
   friend auto operator<=>(const SkillState&, const SkillState&) = default;
 };
 

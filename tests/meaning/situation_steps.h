@@ -23,6 +23,7 @@ private:
   // --- Skills
   void ofSkill(int skill);
   void ofCalled(int skill);
+  [[nodiscard]] std::vector<std::vector<std::int64_t>> anyArguments(int skill) const;
   [[nodiscard]] bool resourcesAreFree(int skill) const;
   void ofRunning(int skill);
   void end(int skill, const Ending& ending, When when);
@@ -64,6 +65,7 @@ private:
   void ofNewCall(int thread, const Place& place);
   void ofBusy(int thread, const Place& place);
   void takeCall(int thread, const Place& place);
+  [[nodiscard]] std::vector<std::int64_t> argumentsOf(const Statement& call) const;
   void ofCall(int thread, const Place& place);
   [[nodiscard]] static int armFor(const Outcome& outcome, const Place& place);
   [[nodiscard]] bool isCalledOrRuns(int skill) const;
@@ -72,6 +74,8 @@ private:
   // --- The world
   void ofEmit(int thread, const Place& place);
   void occur(Change& made, int event) const;
+  /// Whether the event has no `:guard`, or a guard that holds.
+  [[nodiscard]] bool mayOccur(int event) const;
   /// Without an environment of its own, everything may happen at any time.
   void ofEvents();
   void ofTheWorld();

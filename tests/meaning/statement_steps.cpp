@@ -106,9 +106,18 @@ void Steps::ofBusy(int thread, const Place& place) {
 
 void Steps::takeCall(int thread, const Place& place) {
   auto called = change();
-  called.call(script.skill(place.call->head.text), thread);
+  called.call(script.skill(place.call->head.text), thread, argumentsOf(*place.call));
   called.wait(thread, Control::Within);
   add(std::move(called));
+}
+
+std::vector<std::int64_t> Steps::argumentsOf(const Statement& call) const {
+  std::vector<std::int64_t> all;
+  for (const auto& input : script.skills[script.skill(call.head.text)].inputs)
+    for (const auto& argument : call.arguments)
+      if (argument.name.text == input.name.substr(1))
+        all.push_back(look.valueFor(input.variable, argument.value));
+  return all;
 }
 
 void Steps::ofCall(int thread, const Place& place) {

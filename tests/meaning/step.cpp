@@ -46,7 +46,7 @@ void Change::setEffects(const syntax::Effects& effects) {
       value = std::clamp(wanted, low, high);
       if (value != wanted) note(What::Forbidden, index);
     } else {
-      const auto wanted = look.stateOf(index, effect.value.name.text);
+      const auto wanted = look.valueFor(index, effect.value);
       if (!isAllowed(variable, before.values[index], wanted)) note(What::Forbidden, index);
       value = wanted;
     }
@@ -56,8 +56,9 @@ void Change::setEffects(const syntax::Effects& effects) {
 // --- Calls
 
 /// The call resets the status for everybody.
-void Change::call(int skill, int caller) {
+void Change::call(int skill, int caller, std::vector<std::int64_t> given) {
   auto& called = state(skill);
+  called.given = std::move(given);
   called.phase = Phase::Called;
   called.caller = caller;
   called.last = {};
@@ -68,6 +69,7 @@ void Change::call(int skill, int caller) {
 void Change::returnFrom(int skill) {
   auto& done = state(skill);
   done.stop = false;
+  done.given.clear();
   const bool waits = script.skills[skill].isShared() && done.caller != kRoot;
   done.phase = waits                             ? Phase::Returned
                : script.skills[skill].runsOnce() ? Phase::Ended

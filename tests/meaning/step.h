@@ -17,7 +17,8 @@ public:
 
   // --- Calls
 
-  void call(int skill, int caller);
+  /// \param given the arguments, as far as conditions or effects depend on them
+  void call(int skill, int caller, std::vector<std::int64_t> given = {});
   /// The skill is as before the call, and its caller continues.
   void returnFrom(int skill);
   /// A caller notices the end of its call.

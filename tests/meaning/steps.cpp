@@ -30,13 +30,33 @@ std::vector<Step> Steps::find() {
 
 void Steps::ofSkill(int skill) {
   const auto& state = now.skills[skill];
-  if (script.skills[skill].calledByAnyone && state.phase == Phase::Idle) {
-    auto called = change(When::anyTime());
-    called.call(skill, kRoot);
-    add(std::move(called));
-  }
+  if (script.skills[skill].calledByAnyone && state.phase == Phase::Idle)
+    for (auto& given : anyArguments(skill)) {
+      auto called = change(When::anyTime());
+      called.call(skill, kRoot, std::move(given));
+      add(std::move(called));
+    }
   if (state.phase == Phase::Called) ofCalled(skill);
   if (state.phase == Phase::Running && !script.skills[skill].isComposite()) ofRunning(skill);
+}
+
+/// All arguments with which anybody could call it.
+std::vector<std::vector<std::int64_t>> Steps::anyArguments(int skill) const {
+  std::vector<std::vector<std::int64_t>> all{{}};
+  for (const auto& input : script.skills[skill].inputs) {
+    const auto& type = *script.variables[input.variable];
+    const auto low = type.isNatural() && type.min ? type.min->number.numerator : 0;
+    const auto high = type.isNatural() ? type.max->number.numerator
+                                       : static_cast<std::int64_t>(type.states.size()) - 1;
+    std::vector<std::vector<std::int64_t>> longer;
+    for (const auto& known : all)
+      for (auto value = low; value <= high; ++value) {
+        longer.push_back(known);
+        longer.back().push_back(value);
+      }
+    all = std::move(longer);
+  }
+  return all;
 }
 
 void Steps::ofCalled(int skill) {
@@ -216,8 +236,10 @@ void Steps::ofGuards(int thread) {
 }
 
 void Steps::ofEmit(int thread, const Place& place) {
+  const int event = script.event(place.statement->name.text);
+  if (!mayOccur(event)) return;
   auto emitted = change();
-  occur(emitted, script.event(place.statement->name.text));
+  occur(emitted, event);
   emitted.goTo(thread, place.next);
   add(std::move(emitted));
 }
@@ -225,6 +247,11 @@ void Steps::ofEmit(int thread, const Place& place) {
 void Steps::occur(Change& made, int event) const {
   made.note(What::Occurs, event);
   made.setEffects(script.events[event]->effects);
+}
+
+bool Steps::mayOccur(int event) const {
+  const auto& guard = script.events[event]->guard;
+  return !guard || look.holds(*guard);
 }
 
 /// Events with `:every`.
@@ -242,7 +269,7 @@ void Steps::ofEvents() {
 
 void Steps::ofTheWorld() {
   for (int event = 0; event < static_cast<int>(script.events.size()); ++event) {
-    if (script.events[event]->every) continue;
+    if (script.events[event]->every || !mayOccur(event)) continue;
     auto happens = change(When::anyTime());
     occur(happens, event);
     add(std::move(happens));

@@ -2,6 +2,7 @@
 
 #include "tests/meaning/endless/fairness.h"
 #include "tests/meaning/endless/ltl.h"
+#include "tests/meaning/timed/duration.h"
 #include "tests/meaning/timed/pattern.h"
 
 #include <algorithm>
@@ -81,9 +82,22 @@ std::optional<bool> Verdicts::isTrue(const syntax::Property& property) const {
                        [this](const auto& wish, const auto& now, const auto& facts) {
                          return isTrueAt(wish, now, facts);
                        });
+  case PropertyKind::AlwaysReachable: return canAlwaysReach(property.operands[0]);
+  case PropertyKind::Longest:
+  case PropertyKind::Shortest:
   case PropertyKind::Missing: return std::nullopt;
   }
   return std::nullopt;
+}
+
+std::optional<verify::Duration> Verdicts::duration(const codegen::Check& check) const {
+  if (check.kind != "property") return std::nullopt;
+  const auto& property = script.program->properties.find(check.subject)->node();
+  if (property.kind != PropertyKind::Longest && property.kind != PropertyKind::Shortest)
+    return std::nullopt;
+  return durationOf(property, script, [this](const auto& wish, const auto& now, const auto& facts) {
+    return isTrueAt(wish, now, facts);
+  });
 }
 
 bool Verdicts::isTrueAt(const syntax::Expr& wish, const Situation& now,
@@ -134,6 +148,26 @@ bool Verdicts::sometimes(const syntax::Expr& wish, bool value) const {
              return isTrueAt(wish, node.situation, edge.facts) == value;
            });
   });
+}
+
+/// Whether some run leads to it from every situation, by steps and time.
+bool Verdicts::canAlwaysReach(const syntax::Expr& wish) const {
+  const auto& nodes = runs.nodes();
+  std::vector<bool> good(nodes.size());
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (std::size_t i = nodes.size(); i-- > 0;) {
+      const auto& now = nodes[i].situation;
+      const bool leads = std::ranges::any_of(nodes[i].edges, [&](const Edge& edge) {
+        return good[edge.target] || isTrueAt(wish, now, edge.facts);
+      });
+      if (good[i] ||
+          !(leads || (nodes[i].later && good[*nodes[i].later]) || isTrueAt(wish, now, {})))
+        continue;
+      good[i] = changed = true;
+    }
+  }
+  return std::ranges::all_of(good, std::identity{});
 }
 
 /// The situations from which some counted run never reaches it.

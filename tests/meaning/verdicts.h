@@ -3,6 +3,7 @@
 #include "tests/meaning/runs.h"
 
 #include "codegen/model.h"
+#include "verify/verify.h"
 
 namespace proskill::meaning {
 
@@ -16,6 +17,10 @@ public:
   [[nodiscard]] std::optional<bool> isTrue(const codegen::Check& check,
                                            const fiacre::Origin& place) const;
 
+  /// The answer to a question for a time. nullopt for other questions, and if there are too many
+  /// situations.
+  [[nodiscard]] std::optional<verify::Duration> duration(const codegen::Check& check) const;
+
 private:
   [[nodiscard]] std::optional<bool> isTrue(const syntax::Property& property) const;
   [[nodiscard]] bool isTrueAt(const syntax::Expr& wish, const Situation& situation,
@@ -23,6 +28,7 @@ private:
   [[nodiscard]] bool sometimes(const syntax::Expr& wish, bool value) const;
   [[nodiscard]] std::vector<bool> avoiding(const syntax::Property& property,
                                            const syntax::Expr& wish) const;
+  [[nodiscard]] bool canAlwaysReach(const syntax::Expr& wish) const;
   [[nodiscard]] bool canMiss(const syntax::Property& property) const;
   [[nodiscard]] bool canPrecede(const syntax::Expr& late, const syntax::Expr& early) const;
   [[nodiscard]] bool isAt(std::string_view label, const Situation& situation) const;

@@ -63,18 +63,25 @@ const std::vector<std::pair<std::string, Options>>& settings() {
     }
     made.emplace_back("slices first", Options{.classesBeforeSlices = 0});
     made.emplace_back("slices in the middle", Options{.classesBeforeSlices = 5});
+    made.emplace_back("two threads",
+                      Options{.jobs = 2, .classesBeforeThreads = 0, .nodesBeforeThreads = 0});
+    made.emplace_back(
+        "three threads, no reduction",
+        Options{.reductions = {}, .jobs = 3, .classesBeforeThreads = 5, .nodesBeforeThreads = 0});
     return made;
   }();
   return all;
 }
 
 Judged judge(const fiacre::Program& program, std::size_t limit, Reading reading) {
-  Interpreter model(program, reading);
-  RegionGraph graph(model, limit);
-  Judged judged{{}, graph.nodes().size(), graph.complete()};
+  auto plain = std::make_shared<const Interpreter>(program);
+  const auto model =
+      reading == Reading::Engine ? plain : std::make_shared<const Interpreter>(program, reading);
+  RegionGraph graph(*model, limit);
+  Judged judged{{}, graph.nodes().size(), graph.complete(), std::move(plain)};
   if (judged.complete)
     for (const auto& property : program.properties)
-      judged.truths.push_back(isTrue(model, graph, property.pattern));
+      judged.truths.push_back(isTrue(*model, graph, property.pattern));
   return judged;
 }
 
@@ -92,7 +99,6 @@ std::optional<std::string> disagreement(const fiacre::Program& program,
   options.limits.classes = 200'000;
   auto result = verify::verify(program, provenance, questions, options);
   if (!result) return "the engine cannot run it: " + result.error().message;
-  Interpreter model(program);
   for (std::size_t each = 0; each < questions.size(); ++each) {
     const auto& answer = result->answers[each];
     const std::size_t i = questions[each].property;
@@ -103,7 +109,8 @@ std::optional<std::string> disagreement(const fiacre::Program& program,
       return describe(program, i, wordOf(answer.truth) + " " + answer.reason, expected) +
              "\n  with " + setting.first;
     if (!answer.trace) continue;
-    if (auto wrong = replay(model, provenance, program.properties[i].pattern, *answer.trace))
+    if (auto wrong =
+            replay(*judged.model, provenance, program.properties[i].pattern, *answer.trace))
       return describe(program, i, wordOf(answer.truth), "the trace cannot be replayed, " + *wrong) +
              "\n  with " + setting.first;
   }

@@ -3,6 +3,7 @@
 #include "tests/support/oracle/region_graph.h"
 #include "verify/verify.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,13 +19,15 @@ struct Judged {
       truths; ///< by property; nullopt if the oracle does not know the pattern
   std::size_t nodes = 0;
   bool complete = false;
+  std::shared_ptr<const Interpreter> model; ///< as the engine reads it: for all replays
 };
+/// \pre `program` outlives the result
 [[nodiscard]] Judged judge(const fiacre::Program& program, std::size_t limit,
                            Reading reading = Reading::Engine);
 
 /// Asks the engine for every property under one setting, and describes disagreements with the
 /// oracle and traces that cannot be replayed. An undecided question is a disagreement, unless zones
-/// are not extrapolated. \param decided counts the answers
+/// are not extrapolated. \pre `judged` is of `program` \param decided counts the answers
 [[nodiscard]] std::optional<std::string>
 disagreement(const fiacre::Program& program, const fiacre::Provenance& provenance,
              const Judged& judged, const std::pair<std::string, verify::Options>& setting,

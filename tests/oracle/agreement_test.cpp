@@ -40,7 +40,7 @@ std::string report(std::uint64_t seed, Asked asked, const Setting& setting) {
       return false;
     }
   };
-  auto small = test::minimise(test::randomProgram(seed), shows);
+  auto small = test::minimise(test::randomProgram(seed, test::varied(seed)), shows);
   return "seed " + std::to_string(seed) + "\n" + test::textOf(small) +
          quarrel(small, asked, setting).value();
 }
@@ -57,7 +57,8 @@ struct Tally {
 Tally compareAll(Asked asked, std::uint64_t programs, std::size_t stride) {
   Tally tally;
   for (std::uint64_t seed = 0; seed < programs; ++seed) {
-    auto model = codegen::generate(test::programOfText(test::textOf(test::randomProgram(seed))));
+    auto model = codegen::generate(
+        test::programOfText(test::textOf(test::randomProgram(seed, test::varied(seed)))));
     INFO("seed " << seed);
     REQUIRE(model.has_value());
     fiacre::Program questions = asked(model->fiacre);

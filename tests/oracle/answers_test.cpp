@@ -22,7 +22,7 @@ struct Questions {
 /// Asks all questions about a program that may be too large for the oracle. An answer may be
 /// missing because of a limit, but never because its trace could not be made.
 void askAll(std::uint64_t seed, const test::ProgramSize& size, Questions& tally) {
-  const auto text = test::textOf(test::randomProgram(seed, size));
+  const auto text = test::textOf(test::randomProgram(seed, test::varied(seed, size)));
   const auto model = codegen::generate(test::programOfText(text));
   INFO("seed " << seed << "\n" << text);
   REQUIRE(model.has_value());

@@ -39,7 +39,7 @@ TEST_CASE(
   std::size_t compared = 0;
   const auto [first, end] = test::seedsOr(0, kFracPrograms);
   for (auto seed = first; seed < end; ++seed) {
-    const auto forms = test::randomProgram(seed);
+    const auto forms = test::randomProgram(seed, test::varied(seed));
     const auto model = modelOf(forms, Edition::Tina);
     if (!model) continue;
     bool decided = false;

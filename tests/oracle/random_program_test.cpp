@@ -159,6 +159,7 @@ TEST_CASE("random programs use every field and every condition of the language")
                             ":states",
                             ":transitions",
                             ":every",
+                            ":guard",
                             ":effects",
                             ":capacity",
                             ":input",

@@ -152,7 +152,12 @@ private:
 
   /// What the last state shows, and not a step.
   bool endsBadly(const fiacre::Pattern& pattern) const {
-    if (pattern.kind == PatternKind::Progress) return true; // the region graph decides that
+    // the region graph decides these
+    if (pattern.kind == PatternKind::Progress) return true;
+    if (pattern.kind == PatternKind::AlwaysReachable)
+      return std::ranges::any_of(now, [&](const Concrete& state) {
+        return !observed(model, pattern.operands[0], {&state.store, nullptr});
+      });
     return pattern.kind == PatternKind::DeadlockFree &&
            std::ranges::any_of(now, [&](const Concrete& state) {
              return model.firings(state.store).empty() &&

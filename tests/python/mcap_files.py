@@ -3,6 +3,7 @@
 usage: mcap_files.py PROGRAM
 """
 
+import importlib
 import io
 import json
 import pathlib
@@ -25,7 +26,8 @@ PROGRAM = sys.argv[1]
 DRONE = ROOT / "examples/drone/drone.proskill"
 UNTRIED = []  # the reason why the package was not used
 MAGIC = b"\x89MCAP0\r\n"
-HEADER, FOOTER, SCHEMA, CHANNEL, MESSAGE, DATA_END = 1, 2, 3, 4, 5, 15
+FOOTER, SCHEMA, CHANNEL, MESSAGE, CHUNK, DATA_END = 2, 3, 4, 5, 6, 15
+ENDLESS = "(defskill m :body ((while true (^ 1))))"
 
 
 class Fields:
@@ -44,14 +46,16 @@ class Fields:
         return value.decode("utf-8")
 
 
-def records(data):
-    """The whole records of a file, which may be cut off."""
-    at = len(MAGIC)
+def records(data, at=len(MAGIC)):
+    """The whole records of a file or of a chunk, which may be cut off, and those in its chunks."""
     while at + 9 <= len(data) and data[at:] != MAGIC:
         opcode, size = struct.unpack_from("<BQ", data, at)
-        if at + 9 + size > len(data):
+        content = data[at + 9:at + 9 + size]
+        if opcode == CHUNK:
+            yield from records(content, 40)
+        elif len(content) < size:
             return
-        yield opcode, Fields(data[at + 9:at + 9 + size])
+        yield opcode, Fields(content)
         at += 9 + size
 
 
@@ -78,7 +82,6 @@ def messages(data):
     return found
 
 
-
 class Files(unittest.TestCase):
     def setUp(self):
         self.directory = tempfile.TemporaryDirectory()
@@ -95,7 +98,8 @@ class Files(unittest.TestCase):
             self.record("--seed", str(seed), name="run.json")
             data = self.mcap.read_bytes()
             self.assertTrue(data.startswith(MAGIC) and data.endswith(MAGIC))
-            self.assertEqual([opcode for opcode, _ in records(data)][-2:], [DATA_END, FOOTER])
+            opcodes = [opcode for opcode, _ in records(data)]
+            self.assertEqual((opcodes.count(DATA_END), opcodes[-1]), (1, FOOTER))
             trace = json.loads((self.path / "run.json").read_text())
             found = messages(data)
             self.assertEqual([content for topic, _, content in found if topic == "/steps"], trace["steps"])
@@ -113,25 +117,78 @@ class Files(unittest.TestCase):
                     self.assertEqual({key: str(value) for key, value in names.items()},
                                      {key: value for key, value in values.items() if key in names})
 
-    def test_the_package_reads_it(self):
+    def package(self):
+        """The readers of the package `mcap`; None where it cannot be installed."""
+        packages = pathlib.Path(PROGRAM).resolve().parents[1] / "mcap"
+        sys.path.append(str(packages))
         try:
-            from mcap.reader import NonSeekingReader, make_reader
+            import mcap.reader
         except ImportError:
-            packages = pathlib.Path(PROGRAM).resolve().parents[1] / "mcap"
             done = subprocess.run([sys.executable, "-m", "pip", "install", "-q", "--target", packages, "mcap==1.6.0"],
                                   capture_output=True, text=True)
             if done.returncode:
                 UNTRIED.append((done.stderr.strip().splitlines() or ["pip fails"])[-1])
-                return
-            sys.path.append(str(packages))
-            from mcap.reader import NonSeekingReader, make_reader
-        self.record()
+                return None
+            importlib.invalidate_caches()  # the directory did not exist when it was searched first
+            import mcap.reader
+        return mcap.reader
+
+    def is_read_as_ours(self, reader):
         data = self.mcap.read_bytes()
         ours = messages(data)
-        for reader in (make_reader, NonSeekingReader):
+        for make in (reader.make_reader, reader.NonSeekingReader):
             theirs = [(channel.topic, message.log_time, json.loads(message.data))
-                      for _, channel, message in reader(io.BytesIO(data)).iter_messages()]
+                      for _, channel, message in make(io.BytesIO(data)).iter_messages()]
             self.assertEqual(sorted(theirs, key=str), sorted(ours, key=str))
+        return ours
+
+    def test_the_package_reads_it(self):
+        if not (reader := self.package()):
+            return
+        self.record()
+        self.is_read_as_ours(reader)
+
+    def test_the_package_uses_the_index_of_a_long_recording(self):
+        if not (reader := self.package()):
+            return
+        self.long("--until", "10000")
+        ours = self.is_read_as_ours(reader)
+        with open(self.mcap, "rb") as file:
+            indexed = reader.make_reader(file)
+            summary = indexed.get_summary()
+            self.assertEqual(summary.statistics.message_count, len(ours))
+            self.assertGreater(len(summary.chunk_indexes), 3)
+            begin, end = 3_600_000_000_000, 3_700_000_000_000
+            found = [(channel.topic, message.log_time, json.loads(message.data))
+                     for _, channel, message in indexed.iter_messages(topics=["/steps"], start_time=begin, end_time=end)]
+            self.assertEqual(found, [each for each in ours if each[0] == "/steps" and begin <= each[1] < end])
+            self.assertEqual(next(indexed.iter_metadata()).name, "proskill.trace")
+
+    def test_the_package_reads_what_a_killed_run_leaves(self):
+        if not (reader := self.package()):
+            return
+        (self.path / "endless.proskill").write_text(ENDLESS)
+        # Whoever is killed within a write leaves a file without an end; our own reader reads that, the package does not.
+        data = b""
+        while not data.endswith(MAGIC):
+            data = self.killed()
+        self.assertGreater(len(self.is_read_as_ours(reader)), 5_000)
+
+    def killed(self):
+        """The file of a run that was killed after 5 MB."""
+        self.mcap.unlink(missing_ok=True)
+        process = subprocess.Popen([PROGRAM, "run", "--until", "900d", "--record", self.mcap, self.path / "endless.proskill"],
+                                   stdout=subprocess.DEVNULL)
+        while not self.mcap.exists() or self.mcap.stat().st_size < 5_000_000:
+            self.assertIsNone(process.poll())
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+        return self.mcap.read_bytes()
+
+    def long(self, *options):
+        (self.path / "endless.proskill").write_text(ENDLESS)
+        subprocess.run([PROGRAM, "run", "--record", self.mcap, *options, self.path / "endless.proskill"],
+                       stdout=subprocess.DEVNULL, check=False)
 
     def test_a_file_cut_off_anywhere_has_what_came_before(self):
         self.record()

@@ -6,25 +6,12 @@ usage: goals.py PROGRAM
 import os
 import signal
 import subprocess
-import sys
 
 import ros
 import server_goals as how
+from missions import FLY, OTHERS, STOP_AFTER, Missions
+from runs import end, main, until
 
-MISSION = """
-(defsv battery :states (Unknown Good Critical Silent) :init Unknown)
-(defevent battery_good :effects (battery Good))
-(defevent battery_critical :effects (battery Critical))
-(defevent battery_silent :effects (battery Silent))
-(defskill fly :input ($how int) :action (fly $how) :interrupt () :success (there odd) :failure (lost refused))
-(defskill arm :input ($on bool) :action (arm $on) :success armed :failure rejected)
-(defskill say :input ($text string) :action (say $text))
-(defskill mission :success done :failure failed :body (BODY (success done)))
-MONITOR
-"""
-FLY = "(fly how {})"
-OTHERS = '(arm on true) (say text "hello")'
-STOP_AFTER = '(defskill watch :monitor t :body ((^ (battery Critical)) (fly.interrupt)))'
 PLATFORM = {
     "kind": "ros1",
     "patience": 3,
@@ -43,31 +30,8 @@ PLATFORM = {
 }
 
 
-class Case(ros.Ros):
-    def mission(self, body, monitor="", **platform):
-        if "(arm" not in body:
-            body = f"(if (battery Silent) {OTHERS}) {body}"  # all skills are called somewhere
-        if "(fly" not in body:
-            body = f"(if (battery Silent) (fly how 0)) {body}"
-        self.write(MISSION.replace("BODY", body).replace("MONITOR", monitor), {**PLATFORM, **platform})
-
-    def battery(self, *values):
-        for value in values:
-            self.server.stdin.write(f"{value}\n")
-            self.server.stdin.flush()
-
-    def fly(self, kind, monitor=""):
-        self.mission(FLY.format(kind), monitor)
-
-    def stop_when(self, line):
-        """Has the skill interrupted when the server has seen this."""
-        ros.until(lambda: line in self.log(), line)
-        self.battery(0.1)
-
-    def ends(self, *texts, code=0):
-        self.assertEqual(self.finish(), code, f"{self.errors}\n{self.said}")
-        for text in texts:
-            self.assertTrue([said for said in self.said if text in said], f"{text}: {self.said}")
+class Case(Missions, ros.Ros):
+    platform = PLATFORM
 
 
 class Goals(Case):
@@ -80,31 +44,28 @@ class Goals(Case):
         self.begin()
         self.ends("succeeds with `there`", "fails with `lost`", "fails with `refused`", "succeeds with `armed`")
         self.assertIn("said hello", self.log())
-        self.assertFalse([text for text in self.said if "fault" in text])
+        self.no_faults()
 
     def test_a_goal_is_cancelled_and_its_feedback_does_not_count(self):
         for kind in (how.WAIT, how.PEND, how.TALK, how.LATE_RESULT):
             with self.subTest(kind):
                 self.events.write_text("")
                 self.fly(kind, STOP_AFTER)
-                self.begin()
                 self.stop_when(f"goal {kind}")
                 self.ends("asks its action to stop")
                 self.assertIn(f"ended {kind}", self.log())
-                self.assertFalse([text for text in self.said if "fault" in text])
+                self.no_faults()
 
     def test_a_cancel_that_overtakes_its_goal_leaves_nothing_running(self):
         self.fly(how.LATE_GOAL, STOP_AFTER)
-        self.begin()
         self.stop_when("seen")
         self.ends("asks its action to stop")
         self.assertIn("cancelled", self.log())
         self.assertNotIn(f"goal {how.LATE_GOAL}", self.log())
-        self.assertFalse([text for text in self.said if "fault" in text])
+        self.no_faults()
 
     def test_a_result_that_is_gone_before_it_is_asked_for(self):
         self.fly(how.LOSE_RESULT)
-        self.begin()
         self.ends("its action failed: the goal was succeeded, and its result was lost", code=1)
 
     def test_a_server_that_dies_ends_its_goals_and_returns(self):
@@ -116,10 +77,9 @@ class Goals(Case):
 
     def test_a_server_that_dies_when_its_goal_is_cancelled(self):
         self.fly(how.DIE_ON_CANCEL, STOP_AFTER)
-        self.begin()
         self.stop_when(f"goal {how.DIE_ON_CANCEL}")
         self.ends("asks its action to stop")
-        self.assertFalse([text for text in self.said if "fault" in text])
+        self.no_faults()
 
     def test_a_server_that_does_not_return(self):
         self.mission(FLY.format(how.DIE) + FLY.format(how.SUCCEED))
@@ -129,9 +89,9 @@ class Goals(Case):
     def test_a_goal_of_an_adapter_that_was_killed_is_cancelled_by_the_next(self):
         self.mission(FLY.format(how.WAIT) + FLY.format(how.SUCCEED), restarts=1, restart_delay=0)
         self.begin()
-        ros.until(lambda: f"goal {how.WAIT}" in self.log(), "the goal")
+        until(lambda: f"goal {how.WAIT}" in self.log(), "the goal")
         os.kill(self.adapter(), signal.SIGKILL)
-        ros.until(lambda: f"ended {how.WAIT}" in self.log(), "the cancel")
+        until(lambda: f"ended {how.WAIT}" in self.log(), "the cancel")
         self.ends("its action has ended with the ROS adapter", "succeeds with `there`", code=1)
 
     def adapter(self):
@@ -140,15 +100,14 @@ class Goals(Case):
 
     def test_goals_stop_when_the_executor_is_killed(self):
         self.fly(how.WAIT)
-        self.begin()
-        ros.until(lambda: f"goal {how.WAIT}" in self.log(), "the goal")
+        until(lambda: f"goal {how.WAIT}" in self.log(), "the goal")
         os.kill(self.running.pid, signal.SIGKILL)
-        ros.until(lambda: f"ended {how.WAIT}" in self.log(), "the cancel")
+        until(lambda: f"ended {how.WAIT}" in self.log(), "the cancel")
 
     def test_a_variable_has_hysteresis(self):
         self.mission("(^ (battery Good)) (^ (battery Critical)) (^ (battery Good))")
         self.begin()
-        self.battery(0.5, 0.25, 0.1, 0.25, "nan", 0.19, 0.31)
+        self.tell(0.5, 0.25, 0.1, 0.25, "nan", 0.19, 0.31)
         self.ends()
         events = [line["actor"] for line in self.lines if str(line.get("actor", "")).startswith("battery_")]
         self.assertEqual(events, ["battery_good", "battery_critical", "battery_good"])
@@ -161,11 +120,6 @@ class Goals(Case):
 
 
 class Errors(Case):
-    def fails(self, *parts):
-        self.assertEqual(self.run_it(), 2, self.said if self.lines else self.errors)
-        for part in parts:
-            self.assertIn(part, self.errors)
-
     def test_what_ros_does_not_have_is_reported_before_the_run(self):
         self.mission(OTHERS, startup=3)
         self.fails("mission.proskill:6:11: error: there is no action server `/fly` of type `actionlib/TestAction`")
@@ -188,13 +142,12 @@ class Master(Case):
     def test_what_is_connected_goes_on_without_the_master(self):
         self.start_server()
         self.fly(how.WAIT, STOP_AFTER)
-        self.begin()
-        ros.until(lambda: f"goal {how.WAIT}" in self.log(), "the goal")
-        ros.end(self.master)
+        until(lambda: f"goal {how.WAIT}" in self.log(), "the goal")
+        end(self.master)
         self.stop_when(f"goal {how.WAIT}")
         self.ends("asks its action to stop")
         self.assertIn(f"ended {how.WAIT}", self.log())
 
 
 if __name__ == "__main__":
-    ros.main()
+    main(ros.why_not())

@@ -4,22 +4,13 @@ usage: mapping.py PROGRAM
 """
 
 import copy
-import json
 import pathlib
-import subprocess
 import sys
-import tempfile
 import unittest
 
-try:
-    from jsonschema import Draft202012Validator as Validator
-except ImportError:
-    print("skipped: no python3-jsonschema")
-    sys.exit(77)
+sys.path.insert(1, str(pathlib.Path(__file__).resolve().parents[1] / "ros"))
+from platform_files import SCHEMA, Files, changed  # noqa: E402
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-PROGRAM = sys.argv[1]
-SCHEMA = Validator(json.loads((ROOT / "docs/platform.schema.json").read_text(encoding="utf-8")))
 MISSION = """
 (defsv battery :states (Unknown Good Critical) :init Unknown)
 (defsv lamp :states (On Off) :init Off)
@@ -74,29 +65,8 @@ BAD = [
 ]
 
 
-def changed(path, value):
-    platform = copy.deepcopy(GOOD)
-    *before, last = path.split("/")
-    place = platform
-    for step in before:
-        place = place[step]
-    if value is None:
-        del place[last]
-    else:
-        place[last] = value
-    return platform
-
-
-class Files(unittest.TestCase):
-    def errors(self, platform):
-        with tempfile.TemporaryDirectory() as directory:
-            path = pathlib.Path(directory)
-            (path / "mission.proskill").write_text(MISSION, encoding="utf-8")
-            (path / "platform.json").write_text(json.dumps(platform), encoding="utf-8")
-            done = subprocess.run([PROGRAM, "run", "--platform", path / "platform.json", path / "mission.proskill"],
-                                  capture_output=True, text=True)
-        self.assertEqual(done.returncode, 2)
-        return done.stderr
+class Mapping(Files):
+    mission = MISSION
 
     def test_a_right_file_reaches_the_adapter(self):
         """Which is the program `false` here."""
@@ -106,12 +76,10 @@ class Files(unittest.TestCase):
     def test_each_error_is_named(self):
         for path, value, error, is_in_schema in BAD:
             with self.subTest(f"{path} {value}"):
-                platform = changed(path, value)
-                self.assertIn(error, self.errors(platform))
-                self.assertEqual(SCHEMA.is_valid(platform), not is_in_schema)
+                self.has(error, changed(GOOD, path.split("/"), value), is_in_schema)
 
     def test_the_example_fits_the_schema(self):
-        SCHEMA.validate(json.loads((ROOT / "examples/ros1/platform.json").read_text(encoding="utf-8")))
+        self.example_fits("ros1")
 
 
 if __name__ == "__main__":

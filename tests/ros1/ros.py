@@ -1,6 +1,5 @@
 """ROS 1 on this machine alone: a master on a port of its own, nodes, and runs of proskill."""
 
-import json
 import os
 import pathlib
 import shutil
@@ -8,11 +7,10 @@ import socket
 import subprocess
 import sys
 import tempfile
-import time
-import unittest
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-PROGRAM = sys.argv[1]
+sys.path.insert(1, str(pathlib.Path(__file__).resolve().parents[1] / "ros"))
+from runs import Runs, end, until  # noqa: E402
+
 PYTHON = "/usr/bin/python3"  # the one that Debian's ROS is for
 HERE = pathlib.Path(__file__).resolve().parent
 
@@ -33,23 +31,14 @@ def free_port():
         return taken.getsockname()[1]
 
 
-def until(holds, what, seconds=30):
-    """Waits for what another process does."""
-    end = time.monotonic() + seconds
-    while not holds():
-        if time.monotonic() > end:
-            raise AssertionError(f"still waiting for {what}")
-        time.sleep(0.02)
+class Ros(Runs):
+    """A master for all tests of a class."""
 
-
-class Ros(unittest.TestCase):
-    """A master for all tests of a class; what a test starts ends with it."""
+    server_errors = subprocess.DEVNULL
 
     @classmethod
     def setUpClass(cls):
-        cls.directory = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(cls.directory.cleanup)
-        cls.home = pathlib.Path(cls.directory.name)
+        cls.home = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory()))
         port = free_port()
         cls.surroundings = {**os.environ, "ROS_MASTER_URI": f"http://127.0.0.1:{port}", "ROS_IP": "127.0.0.1",
                             "ROS_HOME": str(cls.home), "ROS_LOG_DIR": str(cls.home / "log"), "PYTHONDONTWRITEBYTECODE": "1"}
@@ -62,59 +51,10 @@ class Ros(unittest.TestCase):
         until(lambda: listens(port), "the master")
         return master
 
-    def setUp(self):
-        self.path = pathlib.Path(tempfile.mkdtemp(dir=self.home))
-        self.events = self.path / "events"
-        self.events.touch()
-
-    def start(self, *command, **options):
-        process = subprocess.Popen([*map(str, command)], env=self.surroundings, **options)
-        self.addCleanup(end, process)
-        return process
-
     def start_server(self):
-        before = self.log().count("ready")
-        self.server = self.start(PYTHON, HERE / "server.py", self.events, stdin=subprocess.PIPE, text=True,
-                                 stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
-        until(lambda: self.log().count("ready") > before, "the action server")
-
-    def log(self):
-        return self.events.read_text(encoding="utf-8").splitlines()
-
-    def write(self, program, platform):
-        (self.path / "mission.proskill").write_text(program, encoding="utf-8")
-        (self.path / "platform.json").write_text(json.dumps(platform, indent=1), encoding="utf-8")
-
-    def begin(self, *options):
-        self.running = self.start(PROGRAM, "run", "--format", "json", "--platform", self.path / "platform.json", *options,
-                                  self.path / "mission.proskill", stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        return self.running
-
-    def finish(self):
-        out, self.errors = self.running.communicate(timeout=60)
-        self.lines = [json.loads(line) for line in out.splitlines()]
-        self.said = [line["description"] for line in self.lines if "description" in line]
-        self.outcome = self.lines[-1].get("mission") if self.lines else None
-        return self.running.returncode
-
-    def run_it(self, *options):
-        self.begin(*options)
-        return self.finish()
+        self.start_server_by(PYTHON, HERE / "server.py")
 
 
 def listens(port):
     with socket.socket() as probe:
         return probe.connect_ex(("127.0.0.1", port)) == 0
-
-
-def end(process):
-    process.kill()
-    process.communicate()
-
-
-def main():
-    reason = why_not()
-    if reason:
-        print(f"skipped: {reason}")
-        sys.exit(77)
-    unittest.main(argv=[sys.argv[0], *sys.argv[2:]])

@@ -1,12 +1,13 @@
 #include "runtime/conform/conform.h"
 #include "tests/runtime/run_of.h"
 #include "tests/support/random/random_program.h"
+#include "tests/support/random/seeds.h"
 #include "tests/support/texts.h"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
-#include <cstdlib>
+#include <algorithm>
 
 using namespace proskill;
 using runtime::Conformance;
@@ -23,11 +24,11 @@ runtime::ConformResult judged(const std::string& text, const runtime::RecordedRu
 
 std::string textOf(const runtime::RecordedRun& run) {
   std::string text;
-  for (const auto& [date, what, changes, stops] : run.steps) {
+  for (const auto& [date, what, changes, stops, message] : run.steps) {
     text += fmt::format("{} {} {}", date, what.actor, what.description);
     for (const auto& change : changes)
       text += fmt::format(" [{} {} {}]", change.variable, change.before, change.after);
-    text += "\n";
+    text += message + "\n";
   }
   return text;
 }
@@ -67,14 +68,6 @@ std::string interruptions(const runtime::Executable& executable) {
   return "{\"interrupts\":{" + interrupts + "},\"events\":{" + events + "}}";
 }
 
-std::pair<std::uint64_t, std::uint64_t> seeds() {
-  const char* given = std::getenv("PROSKILL_RUN_SEEDS");
-  if (!given) return {0, 400};
-  const std::string text = given;
-  const auto colon = text.find(':');
-  return {std::stoull(text.substr(0, colon)), std::stoull(text.substr(colon + 1))};
-}
-
 } // namespace
 
 TEST_CASE("a run that keeps its times conforms") {
@@ -101,7 +94,9 @@ TEST_CASE("conform finds the assumption that a run breaks") {
 TEST_CASE("a tolerance forgives what is that near") {
   CHECK(judgedRun(flight("1.995"), "", 10'000'000).verdict == Conformance::Conforms);
   CHECK(judgedRun(flight("5.005"), "", 10'000'000).verdict == Conformance::Conforms);
-  CHECK(judgedRun(flight("5.015"), "", 10'000'000).verdict == Conformance::Deviates);
+  const auto late = judgedRun(flight("5.015"), "", 10'000'000);
+  CHECK(late.verdict == Conformance::Deviates);
+  CHECK(late.assumption == "`fly` has run for 5.015 s; its interval promises at most 5 s");
   const auto stops = [](const std::string& time) {
     return judgedRun(R"({"signals":[{"at":2,"event":"storm"}]})",
                      R"({"actions":{"fly":{"stops":[)" + time + "," + time + "]}}}", 10'000'000)
@@ -132,12 +127,45 @@ TEST_CASE("a recording that somebody has changed does not conform, from that ste
   }
 }
 
+TEST_CASE("a recording that claims what the program contradicts does not conform, from there on") {
+  const std::string text = R"(
+    (defsv parts :init 3 :min 0 :max 9)
+    (defskill fly :input ($to real) :time_interval [2,5] :action (fly $to) :success there)
+    (defskill mission :success done
+      :body ((fly to 1.5) (printf "%d parts" parts) (success done))))";
+  const auto executable = test::executableOf(text, false);
+  const auto run = test::runOf(*executable, 0, flight("3")).recorded;
+  REQUIRE(judged(text, run).verdict == Conformance::Conforms);
+  const auto deviates = [&](auto&& change) {
+    auto changed = run;
+    change(changed);
+    const auto result = judged(text, changed);
+    CHECK(result.verdict == Conformance::Deviates);
+    return std::pair(result.step, result.why);
+  };
+  CHECK(deviates([](auto& it) { it.initial[0].after = "4"; }) ==
+        std::pair(std::size_t{0}, std::string("`parts` begins with `3`, not with `4`")));
+  CHECK(deviates([](auto& it) { it.initial.pop_back(); }).first == 0);
+  CHECK(deviates([](auto& it) { it.calls[0].arguments = {"9"}; }).first == run.calls[0].after);
+  CHECK(deviates([](auto& it) { it.calls[0].date += 1; }).first == run.calls[0].after);
+  const auto prints = std::ranges::find(run.steps, "3 parts", &runtime::RecordedStep::message);
+  REQUIRE(prints != run.steps.end());
+  const auto at = static_cast<std::size_t>(prints - run.steps.begin());
+  CHECK(deviates([&](auto& it) { it.steps[at].message = "4 parts"; }) ==
+        std::pair(at, std::string("this step prints \"3 parts\"")));
+  CHECK(deviates([&](auto& it) { it.steps[0].message = "4 parts"; }).first == 0);
+  for (std::size_t i = 0; i < run.steps.size(); ++i)
+    CHECK(deviates([&](auto& it) { it.steps[i].what.begin = it.steps[i].what.end = 0; }).first ==
+          i);
+}
+
 TEST_CASE("every simulated run of a random program conforms to the model that is verified") {
   std::size_t judgedRuns = 0;
   std::size_t steps = 0;
-  const auto [first, count] = seeds();
-  for (std::uint64_t seed = first; seed < first + count; ++seed) {
-    const auto text = test::textOf(test::randomProgram(seed, {.properties = 0}));
+  const auto [first, end] = test::seedsOr(0, 400);
+  for (std::uint64_t seed = first; seed < end; ++seed) {
+    const auto text =
+        test::textOf(test::randomProgram(seed, test::varied(seed, {.properties = 0})));
     const auto executable = test::executableOf(text);
     const auto ran = test::runOf(*executable, seed, "", interruptions(*executable), 30);
     if (ran.steps.size() > 400) continue; // probably time has stopped
@@ -148,7 +176,7 @@ TEST_CASE("every simulated run of a random program conforms to the model that is
     ++judgedRuns;
     steps += ran.steps.size();
   }
-  CHECK(judgedRuns > count * 7 / 10);
+  CHECK(judgedRuns > (end - first) * 7 / 10);
   CHECK(steps > 5 * judgedRuns);
 }
 

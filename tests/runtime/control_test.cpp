@@ -1,3 +1,4 @@
+#include "runtime/control/byte_queue.h"
 #include "runtime/control/signal_inbox.h"
 #include "runtime/executor/description.h"
 #include "runtime/platform/settings.h"
@@ -96,6 +97,48 @@ std::uint32_t signalOf(const Watched& run, const std::string& name) {
 }
 
 } // namespace
+
+TEST_CASE("a queue of bytes passes all entries on in their order, and says when it is full") {
+  runtime::ByteQueue<int> queue(8'000);
+  std::thread reader([&] {
+    runtime::Random random(2);
+    for (int next = 0; next < 200'000;) {
+      const auto use = [&](int head, std::string_view bytes) {
+        if (head != next || bytes != std::string(head % 977, static_cast<char>('a' + head % 26)))
+          FAIL("entry " << next);
+        ++next;
+      };
+      // It is sometimes slow, so that the queue is full.
+      if (random.below(1'000) == 0) std::this_thread::yield();
+      if (!queue.pop(use)) std::this_thread::yield();
+    }
+  });
+  std::size_t full = 0;
+  for (int i = 0; i < 200'000; ++i)
+    while (!queue.push(i, std::string(i % 977, static_cast<char>('a' + i % 26)))) {
+      ++full;
+      std::this_thread::yield();
+    }
+  reader.join();
+  CHECK(full > 0);
+  CHECK(queue.used() == 0);
+}
+
+TEST_CASE("a queue of bytes starts again where it is empty, and uses its memory to the last byte") {
+  runtime::ByteQueue<int> queue(4u << 20);
+  const std::string bytes(300'000, 'x');
+  std::size_t passed = 0;
+  const auto use = [&](int, std::string_view entry) { passed += entry == bytes ? 1 : 0; };
+  for (int round = 0; round < 50; ++round) {
+    std::size_t pushed = 0;
+    while (queue.push(0, bytes)) ++pushed;
+    CHECK(pushed >= 12);
+    for (std::size_t i = 0; i < pushed; ++i) CHECK(queue.pop(use));
+    CHECK_FALSE(queue.pop(use));
+    passed -= pushed;
+  }
+  CHECK(passed == 0);
+}
 
 TEST_CASE("a bounded queue passes all elements on in their order, and says when it is full") {
   runtime::BoundedQueue<int> queue(3);

@@ -1,9 +1,11 @@
+#include "runtime/platform/settings.h"
 #include "tests/runtime/run_of.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 using namespace proskill;
 using runtime::End;
@@ -67,9 +69,26 @@ TEST_CASE("bounds of time are met to the nanosecond") {
   CHECK(at("]2,5[", "100") == "overshoot at 5000000000");
 }
 
+TEST_CASE("an action that hangs or is late overshoots, and the program decides what follows") {
+  const std::string hangs =
+      R"({"signals":[],"actions":{"fly":[{"result":"there","after":1000000}]}})";
+  const auto waiting = runOf(mission("(fly) (success done)"), hangs);
+  CHECK(waiting.result.end == End::Until);
+  CHECK(waiting.result.bad == 1);
+  REQUIRE(waiting.told(RemarkKind::Overshoot));
+  CHECK(waiting.told(RemarkKind::Overshoot)->date == 5'000'000'001);
+  const auto giving = runOf(mission("(// ((fly)) ((^ 8) (fly.interrupt))) (success done)"), hangs);
+  INFO(giving.text());
+  CHECK(giving.told(RemarkKind::Overshoot));
+  CHECK(giving.when("fly", "asks its action to stop") == 8);
+  CHECK(giving.result.missionStatus == "success");
+}
+
 TEST_CASE("a wait ends at the first moment of its interval") {
   CHECK(runOf(mission("(^ [1,3]) (success done)")).result.date == 1'000'000'000);
-  CHECK(runOf(mission("(^ ]1,3]) (success done)")).result.date == 1'000'000'001);
+  CHECK(runOf(mission("(^ ]1,3]) (success done)")).result.date == 1'001'000'000);
+  CHECK(runOf(mission("(^ ]1,...[) (success done)")).result.date == 1'001'000'000);
+  CHECK(runOf(mission("(^ ]1,1.001[) (success done)")).result.date == 1'000'500'000);
 }
 
 TEST_CASE("a composite skill that takes too little or too much is told of, when it does") {
@@ -134,7 +153,7 @@ TEST_CASE("a run ends where nothing can happen, where its time is over, where ti
 
 namespace {
 
-/// Performs nothing; when asked to stop an action, it calls `onStop`.
+/// Performs nothing, and calls what a test sets.
 class Silent final : public runtime::Platform {
 public:
   void start(const runtime::Start&, runtime::Nanoseconds) override { onStart(); }
@@ -143,9 +162,14 @@ public:
     return false;
   }
   [[nodiscard]] std::optional<runtime::Nanoseconds> next() const override { return {}; }
-  bool poll(runtime::Nanoseconds, runtime::Report&) override { return false; }
+  bool poll(runtime::Nanoseconds date, runtime::Report& report) override {
+    return onPoll(date, report);
+  }
   [[nodiscard]] bool mayReport() const override { return true; }
 
+  std::function<bool(runtime::Nanoseconds, runtime::Report&)> onPoll = [](auto, auto&) {
+    return false;
+  };
   std::function<void()> onStart = [] {};
   std::function<void()> onStop = [] {};
 };
@@ -158,8 +182,11 @@ public:
   runtime::Nanoseconds now() override { return dates[at]; }
   void wait(std::optional<runtime::Nanoseconds>, const std::vector<int>&) override {
     at = std::min(at + 1, dates.size() - 1);
+    onWait();
   }
   [[nodiscard]] bool isReal() const override { return true; }
+
+  std::function<void()> onWait = [] {};
 
 private:
   std::vector<runtime::Nanoseconds> dates;
@@ -197,6 +224,25 @@ TEST_CASE("a request to end stops what runs; a second one does not wait for it")
   CHECK(twice.result.end == End::Abandoned);
   CHECK(twice.result.date == 0);
   CHECK(twice.told(RemarkKind::Fault));
+}
+
+TEST_CASE("a request to end long after the last step leaves actions their time to stop") {
+  const auto executable = test::executableOf(mission("(fly) (success done)"), false);
+  std::atomic<int> requests = 0;
+  Silent slow;
+  bool hasStopped = false;
+  slow.onPoll = [&](runtime::Nanoseconds date, runtime::Report& report) {
+    report = {.run = 1};
+    return date == 10 * runtime::kSecond && !std::exchange(hasStopped, true);
+  };
+  Jumping clock({0, 9 * runtime::kSecond, 10 * runtime::kSecond, 20 * runtime::kSecond});
+  clock.onWait = [&] { requests = 1; };
+  const auto ran = runOf(*executable, slow, clock, {.stopRequests = &requests});
+  CHECK(ran.result.end == End::Stopped);
+  CHECK_FALSE(ran.told(RemarkKind::Fault));
+  REQUIRE(ran.told(RemarkKind::Asked));
+  CHECK(ran.told(RemarkKind::Asked)->date == 9 * runtime::kSecond);
+  CHECK(ran.told(RemarkKind::Note)->date == 9 * runtime::kSecond);
 }
 
 TEST_CASE("after a clock has jumped, steps keep their own dates, and it is said") {
@@ -250,6 +296,20 @@ TEST_CASE("an event comes as often as it says, or is told of") {
   CHECK(late.told(RemarkKind::Overshoot)->date == 8'000'000'001);
 }
 
+TEST_CASE("an event whose guard does not hold is ignored") {
+  const auto ran =
+      runOf("(defsv door :states (Closed Open) :init Closed) (defevent opens :effects (door Open))"
+            "(defevent slams :guard (door Open) :effects (door Closed))"
+            "(defskill mission :success done :body ((^ (door Open)) (^ (door Closed)) (success "
+            "done)))",
+            R"({"signals":[{"at":1,"event":"slams"},{"at":2,"event":"opens"},)"
+            R"({"at":3,"event":"slams"}]})");
+  CHECK(ran.result.missionStatus == "success");
+  CHECK(ran.result.date == 3'000'000'000);
+  REQUIRE(ran.told(RemarkKind::Note));
+  CHECK(ran.told(RemarkKind::Note)->text == "ignored: the `:guard` of this event does not hold");
+}
+
 TEST_CASE("a run draws the initial values by its seed") {
   const auto executable =
       test::executableOf("(defsv door :states (Closed Open) :init (Closed Open))"
@@ -264,4 +324,27 @@ TEST_CASE("a run draws the initial values by its seed") {
   }
   CHECK(open > 5);
   CHECK(open < 35);
+}
+
+TEST_CASE("with ticks, what is due or reported is handled at the next tick, and dates stay exact") {
+  const auto executable = test::executableOf(mission("(^ 1.25) (fly) (success done)"), false);
+  auto settings = defaultSettings(*executable);
+  REQUIRE(readScript(R"({"signals":[],"actions":{"fly":[{"result":"there","after":2.3}]}})",
+                     *executable, settings) == std::nullopt);
+  const auto platform = simulatedPlatform(std::move(settings), 1);
+  const auto clock = tickingClock(runtime::simulatedClock(), runtime::kSecond / 2);
+  const auto ran = test::runOf(*executable, *platform, *clock, {});
+  INFO(ran.text());
+  CHECK(ran.when("mission", "has waited 1.25 s") == 1.25);
+  CHECK(ran.maxLag == 250'000'000);
+  CHECK(ran.when("fly", "succeeds with `there`") == 4); // 2.3 s after its start at 1.25 s or 1.5 s
+  CHECK(ran.result.date == 4'000'000'000);
+}
+
+TEST_CASE("a script about an action that the program does not have is refused") {
+  const auto executable = test::executableOf(mission("(fly) (success done)"), false);
+  auto settings = defaultSettings(*executable);
+  for (const auto* runs : {"[]", R"([{"after":1}])"})
+    CHECK(readScript(std::string(R"({"actions":{"flie":)") + runs + "}}", *executable, settings) ==
+          "there is no basic skill `flie`");
 }

@@ -266,6 +266,24 @@ TEST_CASE("a program that closes its connection and goes on is killed") {
   CHECK_FALSE(std::filesystem::exists("/proc/" + pid));
 }
 
+TEST_CASE("a program that does not read its input is killed, and its actions have ended") {
+  auto program = kSpokenProgram;
+  const std::string given = "3 \"a";
+  program.replace(program.find(given), given.size(), "3 \"" + std::string(60'000, 'a'));
+  const auto executable = test::executableOf(
+      program + "(defskill mission :body ((while true (// ((fly)) ((^ 0.001) (fly.interrupt))))))",
+      false);
+  const auto platform = runtime::processPlatform(
+      *executable, {.command = {"/bin/sh", "-c", kSpoken + "ready; sleep 600"}, .directory = "/"},
+      [] { return false; });
+  REQUIRE(platform);
+  const auto ran = test::runInRealTime(*executable, **platform, {.grace = 1'000'000});
+  CHECK(ran.result.end == End::Lost);
+  CHECK(std::ranges::any_of(ran.remarks, [](const auto& remark) {
+    return remark.text.ends_with("the platform's program does not read its input");
+  }));
+}
+
 TEST_CASE("a program that does not end after the run is killed with what it has started") {
   const test::TemporaryDirectory files;
   const auto number = files.path("number");

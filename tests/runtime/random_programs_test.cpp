@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 using namespace proskill;
+using test::runOf;
 
 namespace {
 
@@ -33,7 +34,8 @@ TEST_CASE("every run of a random program is a run of its transition system") {
   std::size_t steps = 0;
   std::size_t missions = 0;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
-    const auto text = test::textOf(test::randomProgram(seed, {.properties = 0}));
+    const auto text =
+        test::textOf(test::randomProgram(seed, test::varied(seed, {.properties = 0})));
     const auto executable = test::executableOf(text);
     const auto ran = runOf(*executable, seed, "", "", 30);
     INFO("seed " << seed << "\n" << text << ran.text());

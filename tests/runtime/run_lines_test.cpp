@@ -26,9 +26,11 @@ public:
               Nanoseconds lag) override {
     auto expected =
         report::stepJson(subject.program, runStep(subject, machine, step, date, before));
-    const auto stops = runtime::stoppingSkill(subject.executable, machine);
-    if (!stops.empty()) expected["stops"] = stops;
-    stopped += stops.empty() ? 0 : 1;
+    const auto stops = runtime::stoppingAction(subject.executable, machine);
+    if (stops) expected["stops"] = subject.executable.model.performed[*stops].skill;
+    stopped += stops ? 1 : 0;
+    if (const auto message = runtime::printedMessage(subject.executable, machine))
+      expected["message"] = *message;
     compare(lines.step(machine, step, date, lag), expected, date);
   }
 

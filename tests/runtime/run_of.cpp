@@ -15,7 +15,9 @@ namespace {
 
 class Notes final : public runtime::Observer {
 public:
-  Notes(const runtime::Executable& of, Ran& to) : executable(of), ran(to) {}
+  Notes(const runtime::Executable& of, Ran& to) : executable(of), ran(to) {
+    ran.recorded.initial = runtime::initialValues(of);
+  }
 
   void onStep(const runtime::Machine& machine, verify::TransitionId step, runtime::Nanoseconds date,
               runtime::Nanoseconds lag) override {
@@ -32,6 +34,9 @@ public:
   }
 
   void onRemark(const runtime::Remark& remark) override {
+    if (remark.start)
+      ran.recorded.calls.push_back(
+          runtime::recorded(executable, *remark.start, remark.date, ran.recorded.steps.size()));
     ran.remarks.push_back(
         {remark.kind, remark.date, std::string(remark.subject), std::string(remark.text)});
   }

@@ -123,6 +123,9 @@ TEST_CASE("what does not belong into a definition is one diagnostic") {
   CHECK(codes("(defsv v :states (A B) :init A B)") == "PS0112");
   CHECK(codes("(defevent e :effects)") == "PS0114");
   CHECK(codes("(defevent e :every [1,5] :effects (a B))") == "");
+  CHECK(codes("(defevent e :guard (a B) :effects (a B))") == "");
+  CHECK(codes("(defevent e :guard :effects (a B))") == "PS0114");
+  CHECK(codes("(defevent e :guard (a B) (a C) :effects (a B))") == "PS0112");
   CHECK(codes("(defevent e :every 5 :effects (a B))") == "PS0115");
   CHECK(codes("(defevent e :every :effects (a B))") == "PS0114");
   CHECK(codes("(defevent e :effects ())") == "PS0110");
@@ -131,17 +134,17 @@ TEST_CASE("what does not belong into a definition is one diagnostic") {
   CHECK(codes("(include \"a\" \"b\")") == "PS0112");
 }
 
-TEST_CASE("a misspelt field or word of a definition comes with the edit that mends it") {
+TEST_CASE("a misspelt field or word of a definition comes with the edit that fixes it") {
   const std::string text = "(defskil x :action (x))\n(defskill y :succes ok)\n(zzz)\n";
   const auto document = Document::parse(text);
   const auto& found = document.diagnostics();
   REQUIRE(found.size() == 3);
-  const auto mended = [&](std::size_t i) {
+  const auto fixed = [&](std::size_t i) {
     const syntax::Fix& fix = found[i].fixes.at(0);
     const syntax::Range range = fix.location.range;
     return text.substr(range.begin, range.length()) + " -> " + fix.text;
   };
-  CHECK(mended(0) == "defskil -> defskill");
-  CHECK(mended(1) == ":succes -> :success");
+  CHECK(fixed(0) == "defskil -> defskill");
+  CHECK(fixed(1) == ":succes -> :success");
   CHECK(found[2].fixes.empty());
 }

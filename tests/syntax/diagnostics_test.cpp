@@ -31,7 +31,7 @@ TEST_CASE("codes are unique, found in any case, and explained") {
   CHECK(syntax::findCode("PS9999") == nullptr);
 }
 
-TEST_CASE("the mend of a diagnostic, applied, leaves nothing wrong") {
+TEST_CASE("the fix of a diagnostic, applied, leaves nothing wrong") {
   for (std::string_view program : {
            "(defevent gust :effects (motion Free) (camera Off))",
            "(defevent take-off :effects (motion Free))",
@@ -50,8 +50,8 @@ TEST_CASE("the mend of a diagnostic, applied, leaves nothing wrong") {
     REQUIRE(document.diagnostics().size() == 1);
     REQUIRE(document.diagnostics()[0].fixes.size() == 1);
     const auto& fix = document.diagnostics()[0].fixes[0];
-    auto mended = document.edit(fix.location.range, fix.text);
-    INFO(mended.text());
-    CHECK(test::codesOf(mended) == "");
+    auto fixed = document.edit(fix.location.range, fix.text);
+    INFO(fixed.text());
+    CHECK(test::codesOf(fixed) == "");
   }
 }

@@ -109,6 +109,21 @@ TEST_CASE("formulas of linear temporal logic") {
   CHECK(Formula("(() (battery Low))").codes() == "");
 }
 
+TEST_CASE("operators of linear temporal logic are also letters, but not before a value") {
+  Formula always("(G (=> (battery Low) (F (running landing))))");
+  CHECK(always.codes() == "");
+  CHECK(always->kind == ExprKind::Globally);
+  CHECK(always->operands.at(0).operands.at(1).kind == ExprKind::Finally);
+  CHECK(Formula("(X (battery Low))")->kind == ExprKind::Next);
+  CHECK(Formula("(U true (battery Low))")->kind == ExprKind::Until);
+  CHECK(Formula("(W (battery Good) (battery Low))")->kind == ExprKind::WeakUntil);
+  CHECK(Formula("(R (battery Good) (battery Low))")->kind == ExprKind::Release);
+  CHECK(Formula("(M (battery Good) (battery Low))")->kind == ExprKind::StrongRelease);
+  CHECK(Formula("(W (battery Good))").codes() == "PS0118");
+  CHECK(Formula("(F Low)")->kind == ExprKind::Test);
+  CHECK(Formula("(F 3)")->name.text == "F");
+}
+
 TEST_CASE("propositions about skills, events and labels") {
   CHECK(Formula("(running takeoff)")->name.text == "takeoff");
   CHECK(Formula("(called takeoff)")->kind == ExprKind::Called);

@@ -60,7 +60,7 @@ TEST_CASE("the examples are laid out as the formatter lays them out") {
   }
 }
 
-TEST_CASE("what is wrong with the white space of a program is mended") {
+TEST_CASE("what is wrong with the white space of a program is fixed") {
   test::RandomSource random(5);
   for (const auto& program : test::allPrograms()) {
     if (program == test::paperProgram()) continue;
@@ -214,8 +214,10 @@ TEST_CASE("a new line is indented as the formatter would, whether the program is
   CHECK(typed("(defsv a :init 1 :max 2)\n^   ") == "(defsv a :init 1 :max 2)\n");
 }
 
-TEST_CASE("a form that is closed is laid out, and nothing around it") {
-  CHECK(typed("(defevent   e :effects ( a  B )^)") == "(defevent   e :effects (a B))");
+TEST_CASE("a definition that is closed is laid out, and nothing around it") {
+  CHECK(typed("(defevent  f)\n(defevent   e :effects ( a  B ))^\n(defevent  g)\n") ==
+        "(defevent  f)\n(defevent e :effects (a B))\n(defevent  g)\n");
+  CHECK(typed("(defevent   e :effects ( a  B )^)") == "(defevent   e :effects ( a  B ))");
   CHECK(typed("(defevent   e :effects ( a  B )^") == "(defevent   e :effects ( a  B )");
   CHECK(typed("(defevent   e ; (  )^\n)") == "(defevent   e ; (  )\n)");
   CHECK(typed("(defskill m :body ((printf \"(  )^\" 1)))") ==

@@ -216,7 +216,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("where parentheses are mended, all else is read as it was meant") {
+TEST_CASE("where parentheses are recovered, all else is read as it was meant") {
   auto document = Document::parse(R"(
 (defskill takeoff
   :precondition (on_ground (flight_status OnGround)

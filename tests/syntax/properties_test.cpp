@@ -62,6 +62,11 @@ TEST_CASE("a property of what happens in the end says which runs count") {
   CHECK(fair("(infinitelyoften (a B) :fair nil)") == false);
   CHECK(fair("(ltl ([] (a B)) :fair t)") == true);
   CHECK_FALSE(fair("(present (a B))").has_value());
+  Parsed<Property> named("(defproperty p (present (a B) :fair (drive dock)))");
+  CHECK(named->fair == true);
+  REQUIRE(named->fairSkills.size() == 2);
+  CHECK(named->fairSkills[1].text == "dock");
+  CHECK(codes("(present (a B) :fair ())") == "PS0115");
   CHECK(codes("(leadsto (a B) (c D) :fair nil)") == "");
   CHECK(codes("(leadsto (a B) (c D) :fair always)") == "PS0115");
   CHECK(codes("(always (a B) :fair t)") == "PS0113");

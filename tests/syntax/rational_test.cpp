@@ -1,4 +1,5 @@
 #include "syntax/text/rational.h"
+#include "syntax/text/seconds.h"
 
 #include <catch2/catch.hpp>
 
@@ -53,4 +54,12 @@ TEST_CASE("numbers are written as decimals where they are some") {
   CHECK(toString({7, 2}) == "3.5");
   CHECK(toString({1, 3}) == "1/3");
   CHECK(toString({-22, 7}) == "-22/7");
+}
+
+TEST_CASE("seconds are read as decimals, with the fraction where a decimal is not exact") {
+  CHECK(secondsText({4, 1}) == "4 s");
+  CHECK(secondsText({1, 4}) == "0.25 s");
+  CHECK(secondsText({23, 11}) == "about 2.09 s (23/11)");
+  CHECK(secondsText({1321, 11}) == "about 120.09 s (1321/11)");
+  CHECK(secondsText({1, 3000}) == "about 0.00033 s (1/3000)");
 }

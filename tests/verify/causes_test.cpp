@@ -188,7 +188,7 @@ TEST_CASE("the relevant steps alone come to the same, in random models") {
     add(tryAll(randomModelWithObserver(seed), {}));
   }
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
-    const auto text = textOf(randomProgram(seed));
+    const auto text = textOf(randomProgram(seed, varied(seed)));
     const auto model = codegen::generate(programOfText(text));
     INFO(text);
     REQUIRE(model.has_value());

@@ -1,5 +1,5 @@
-#include "verify/explore/zone_cover.h"
 #include "verify/model/dbm.h"
+#include "verify/space/zone_cover.h"
 
 #include <catch2/catch.hpp>
 

@@ -245,6 +245,29 @@ TEST_CASE("a pattern may ask for one value of a constructor, and stand in a func
   CHECK(model.reaches("main/1/value (x = 7 and y = 9 and z = 3)"));
 }
 
+TEST_CASE("a pattern on the left of `:=` lets through what matches it") {
+  const Text model("type opt is union nothing | some of 0..3 end\n"
+                   "process P (b: bool, o: opt) is states a, yes, no, value var x: 0..3 "
+                   "from a select true := b; to yes [] false := b; to no "
+                   "[] some(x) := o; to value end\n"
+                   "component main is par * in P(true, some(2)) || P(false, nothing) end");
+  CHECK(model.reaches("main/1/state yes"));
+  CHECK_FALSE(model.reaches("main/1/state no"));
+  CHECK(model.reaches("(main/1/state value) and (main/1/value x = 2)"));
+  CHECK(model.reaches("main/2/state no"));
+  CHECK_FALSE(model.reaches("main/2/state value"));
+}
+
+TEST_CASE("`any` within a pattern matches every value, and behind `?` it drops what is received") {
+  const Text model("type opt is union nothing | some of 0..3 end\n"
+                   "process S [p: out 0..3 # 0..3] is states a, b from a p ! 1, 2; to b\n"
+                   "process R [p: in 0..3 # 0..3] (o: opt) is states a, b, c var x: 0..3 "
+                   "from a p ? any, x; to b "
+                   "from b case o of some(any) -> to c | any -> to a end\n"
+                   "component main is port p: 0..3 # 0..3 par * in S[p] || R[p](some(3)) end");
+  CHECK(model.reaches("(main/2/state c) and (main/2/value x = 2)"));
+}
+
 TEST_CASE("several assignments at once exchange the cells of an array, whatever the indices are") {
   const auto model = process("states a, b var x: array 3 of 0..3 := [1, 2, 3], i, j: 0..2 "
                              "from a i, j := any; x[i], x[j] := x[j], x[i]; to b");

@@ -1,4 +1,6 @@
+#include "fiacre/syntax/parse.h"
 #include "tests/support/text_model.h"
+#include "verify/compile/compile.h"
 
 #include <catch2/catch.hpp>
 
@@ -152,4 +154,18 @@ TEST_CASE("compositions within compositions wait for each other as they say") {
   const auto within = model("par * in par P[a] || P[a] end || P[a] end");
   CHECK(within.reaches("(main/1/1/state t) and (main/1/2/state s)"));
   CHECK_FALSE(within.reaches("(main/1/1/state t) and (main/2/state s)"));
+}
+
+TEST_CASE("a step that an observer cannot see has no variant with it") {
+  const auto read =
+      fiacre::parse("process P [a: sync, b: sync] is states s, t from s a; to t from t b; to s\n"
+                    "component main is port a: sync, b: sync par * in P[a, b] end\n"
+                    "process W [p: sync] is states w from w p; to w\n"
+                    "component watch is port p: sync is main/event a par * in W[p] end\n"
+                    "watch > main\nmain\n");
+  REQUIRE(read.problems.empty());
+  const auto compiled = verify::compile(read.program, {}, {});
+  INFO((compiled ? "" : compiled.error().message));
+  REQUIRE(compiled.has_value());
+  CHECK(compiled->system.transitions.size() == 3); // a, b, and a that is seen
 }

@@ -89,3 +89,40 @@ TEST_CASE("What need not happen does not help time on") {
   CHECK(model({0, 2}).isFalse(kProgress));
   CHECK_FALSE(model({0, 0}).isFalse(kProgress));
 }
+
+TEST_CASE("Whether a ring of urgent steps is left may depend on inputs that several places read") {
+  using Exit = std::pair<int, decltype(truth(true))>;
+  const auto model = [](const std::vector<Exit>& exits) {
+    Model made;
+    for (const char* input : {"v", "w"}) {
+      made.variable(input, range(0, 2), number(0));
+      std::vector<fiacre::Statement> values;
+      for (std::int64_t value = 0; value < 3; ++value)
+        values.push_back(sequence({assign(name(input), number(value)), to("a")}));
+      made.add(process(std::string("sets_") + input, {"a"}, {from("a", {select(values)})}));
+    }
+    std::vector<std::string> states{"start", "out"};
+    for (int i = 0; i < 6; ++i) states.push_back("s" + std::to_string(i));
+    std::vector<fiacre::Statement> entries;
+    std::vector<fiacre::From> steps;
+    for (int i = 0; i < 6; ++i) {
+      const auto next = to("s" + std::to_string((i + 1) % 6));
+      entries.push_back(to("s" + std::to_string(i)));
+      std::vector<fiacre::Statement> ways{next};
+      for (const auto& [at, condition] : exits)
+        if (at == i) ways.push_back(sequence({on(condition), to("out")}));
+      steps.push_back(from("s" + std::to_string(i), {now(), select(ways)}));
+    }
+    steps.push_back(from("start", {wait(1, 2), select(entries)}));
+    made.add(process("p", states, steps));
+    return made;
+  };
+  const auto is = [](const char* input, int value) { return equals(name(input), number(value)); };
+  const auto isNot = [&](const char* input, int value) {
+    return unary(fiacre::Op::Not, is(input, value));
+  };
+  CHECK(model({{3, is("w", 2)}}).isFalse(kProgress));
+  CHECK(model({{3, is("w", 2)}, {5, is("v", 1)}}).isFalse(kProgress));
+  CHECK_FALSE(model({{3, is("w", 2)}, {5, isNot("w", 2)}}).isFalse(kProgress));
+  CHECK_FALSE(model({{3, is("w", 2)}, {5, is("v", 1)}, {0, isNot("v", 1)}}).isFalse(kProgress));
+}

@@ -1,6 +1,7 @@
 #include "tests/support/text_model.h"
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 namespace proskill::test::slices_test {
 
@@ -79,6 +80,52 @@ TEST_CASE("questions about all processes are answered where one of them is enoug
   const Text model("process Event is states a from a to a " + walker("P", "1,2") +
                    walker("Q", "1,3") + "component main is par * in Event || P || Q end");
   CHECK(model.isTrue("deadlockfree"));
+}
+
+TEST_CASE("a deadlock is searched for in parts") {
+  const auto worker = [](const std::string& name, const std::string& flag) {
+    return "process " + name + " (&" + flag +
+           ": bool) is states idle, a, b from idle wait [0,0]; on " + flag +
+           "; to a from a wait [1,2]; to b from b wait [1,3]; " + flag + " := false; to idle ";
+  };
+  const std::string workers = worker("P", "p") + worker("Q", "q") + worker("R", "r");
+  const auto with = [&](const std::string& end) {
+    return Text(workers +
+                "process M (&p: bool, &q: bool, &r: bool) is states start, wait_, over "
+                "from start wait [0,0]; p := true; q := true; r := true; to wait_ "
+                "from wait_ wait [0,0]; on not (p or q or r); to over from over " +
+                end +
+                " component main is var p: bool := false, q: bool := false, r: bool := false "
+                "par * in P(&p) || Q(&q) || R(&r) || M(&p, &q, &r) end");
+  };
+  const auto stays = with("wait [0,...[; loop");
+  CHECK(stays.isTrue("deadlockfree"));
+  CHECK(stays.sliced("deadlockfree") == 1);
+  const auto repeats = with("wait [1,1]; to start");
+  CHECK(repeats.isTrue("deadlockfree"));
+  CHECK(repeats.sliced("deadlockfree") == 1);
+  CHECK(with("wait [0,0]; on p; to start").isFalse("deadlockfree"));
+}
+
+TEST_CASE("a deadlock is searched for in parts that one location of a process calls") {
+  std::string text;
+  std::string calls;
+  std::string flags;
+  std::string workers;
+  for (int i = 0; i < 4; ++i) {
+    text +=
+        fmt::format("process W{0} (&f: bool) is states idle, a from idle wait [0,0]; on f; to a "
+                    "from a wait [1,{1}]; f := false; to idle ",
+                    i, i + 2);
+    calls += fmt::format("{0} on not f{1}; wait [0,...[; f{1} := true; loop ", i ? "[]" : "", i);
+    flags += fmt::format("{}&f{}", i ? ", " : "", i);
+    workers += fmt::format(" || W{0}(&f{0})", i);
+  }
+  const Text model(text + "process Caller (" + flags + ": bool) is states s from s select " +
+                   calls + " end component main is var f0, f1, f2, f3: bool := false par * in " +
+                   "Caller(" + flags + ")" + workers + " end");
+  CHECK(model.isTrue("deadlockfree"));
+  CHECK(model.sliced("deadlockfree") == 1);
 }
 
 } // namespace proskill::test::slices_test

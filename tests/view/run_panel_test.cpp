@@ -3,6 +3,7 @@
 #include "report/run/run_report.h"
 #include "runtime/platform/simulated.h"
 #include "tests/support/texts.h"
+#include "view/panel_data.h"
 #include "view/panel_routes.h"
 
 #include <catch2/catch.hpp>
@@ -78,6 +79,19 @@ public:
 };
 
 } // namespace
+
+TEST_CASE("a recording that was cut off within a write is shown up to its last step") {
+  const std::string head = R"({"name":"run","verdict":"recorded","initial":{},"steps":[)";
+  const std::string step = R"({"actor":"drive","description":"starts","location":null})";
+  const auto whole = head + "\n" + step + ",\n" + step + ",\n" + step;
+  for (std::size_t length = whole.size() - step.size() - 1; length < whole.size(); ++length) {
+    INFO(length);
+    const auto data = view::savedReport("run.json", whole.substr(0, length));
+    REQUIRE(data);
+    CHECK((*data)->program()["properties"][0]["steps"] == 2);
+  }
+  CHECK_FALSE(view::savedReport("run.json", whole.substr(0, head.size() / 2)));
+}
 
 TEST_CASE("a page gets the steps of a run in parts, and its end") {
   Page page;

@@ -9,6 +9,7 @@ const kSettings = {
   'workbench.startupEditor': 'none', 'security.workspace.trust.startupPrompt': 'never',
   'security.workspace.trust.banner': 'never', 'telemetry.telemetryLevel': 'off', 'extensions.ignoreRecommendations': true,
   'git.enabled': false, 'workbench.tips.enabled': false, 'editor.minimap.enabled': false, 'files.autoSave': 'off',
+  'remote.autoForwardPorts': false, // otherwise a message appears for every port that another program opens
   'editor.accessibilitySupport': 'off', 'workbench.reduceMotion': 'on', 'workbench.colorTheme': 'Default Dark Modern',
   'workbench.secondarySideBar.defaultVisibility': 'hidden', 'chat.commandCenter.enabled': false,
   'window.commandCenter': false, 'breadcrumbs.enabled': false, 'editor.stickyScroll.enabled': false,
@@ -32,7 +33,15 @@ export class CodeServer {
     delete this.env.VSCODE_IPC_HOOK_CLI;
     this.folders = ['--user-data-dir', join(this.home, 'data'), '--extensions-dir', join(this.home, 'extensions')];
     mkdirSync(join(this.home, 'data/User'), { recursive: true });
-    writeFileSync(join(this.home, 'data/User/settings.json'), JSON.stringify(kSettings));
+    writeFileSync(this.settingsFile, JSON.stringify(kSettings));
+  }
+
+  get settingsFile() {
+    return join(this.home, 'data/User/settings.json');
+  }
+
+  userSettings() {
+    return JSON.parse(readFileSync(this.settingsFile, 'utf8'));
   }
 
   install(vsix) {

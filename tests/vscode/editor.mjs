@@ -87,11 +87,36 @@ export class Editor {
     return this.page.locator('.tab.active').filter({ hasText: name });
   }
 
+  /** Repeats this if something has taken the focus: what is typed next must not go elsewhere. */
   async goTo(line, column = 1) {
-    await this.press('Control+g');
-    await this.quickInput().locator('input.input').fill(`:${line}:${column}`);
-    await this.press('Enter');
-    await this.quickInput().waitFor({ state: 'hidden' });
+    let patience = 1500;
+    await expect(`the caret in line ${line}`, async () => {
+      patience *= 2;
+      await this.press('Control+g');
+      const input = this.quickInput().locator('input.input');
+      await input.fill(`:${line}:${column}`, { timeout: patience });
+      await input.press('Enter', { timeout: patience });
+      await this.quickInput().waitFor({ state: 'hidden', timeout: patience });
+      await this.page.locator('[id="status.editor.selection"]', { hasText: `Ln ${line},` }).waitFor({ timeout: patience });
+      return true;
+    });
+  }
+
+  /** Chooses an item of the menu that is open. A menu ignores clicks in its first 100 ms. */
+  async choose(label) {
+    const item = this.page.locator('.context-view .action-label', { hasText: label }).first();
+    await item.waitFor();
+    await expect(`"${label}" chosen`, async () => {
+      if (await item.isVisible()) await item.click({ timeout: 1000 });
+      await item.waitFor({ state: 'hidden', timeout: 1000 });
+      return true;
+    });
+  }
+
+  /** Where keys would go: for the message of a failure. */
+  async focus() {
+    const focused = await this.page.evaluate(() => document.activeElement?.closest('[data-uri], .quick-input-widget, .part, iframe')?.className);
+    return `focus: ${focused ?? 'none'}, caret: ${await this.caret({ timeout: 1000 }).catch(() => 'none')}`;
   }
 
   /** Saves the text in the active group. Keys arrive before the tab shows that there is something to save. */
@@ -124,8 +149,8 @@ export class Editor {
   }
 
   /** The position of the caret, from the status bar. */
-  async caret() {
-    return (await this.page.locator('[id="status.editor.selection"]').textContent()).trim();
+  async caret(options) {
+    return (await this.page.locator('[id="status.editor.selection"]').textContent(options)).trim();
   }
 
   /** The lines with a decoration of this border or background, as numbered in the gutter. */
@@ -152,12 +177,12 @@ export class Editor {
   }
 
   /** The frame of a panel; of the one with this view if there are several. */
-  async panel(view = '.automaton-view, .trace-view') {
+  async panel(view = '.automaton-view, .trace-view', timeout = undefined) {
     return expect('a panel in a webview', async () => {
       for (const frame of this.page.frames())
         if (await frame.locator(view).count().catch(() => 0)) return frame;
       return undefined;
-    });
+    }, timeout);
   }
 
   async picture(name) {

@@ -88,6 +88,15 @@ async function files() {
   return named.length;
 }
 
+/** Where the sources are, and where problems are reported: none before there is a public address, else all, beginning with it; the README says which. */
+function addresses() {
+  const { repository, bugs, homepage } = manifest;
+  const known = [repository?.url, bugs?.url, homepage].filter(Boolean);
+  wanted(known.length === 0 || known.length === 3, 'package.json has some of repository, bugs and homepage, but not all');
+  for (const address of known) wanted(/^https:\/\/(?!.*(localhost|example))/.test(address), `${address} is not a public address`);
+  wanted(/no public address/.test(read('README.md')) === (known.length === 0), 'README.md and package.json disagree on whether there is a public address');
+}
+
 /** What the marketplace shows and requires. */
 function metadata() {
   const { publisher, displayName, description, version, license, categories, keywords, icon, galleryBanner, pricing, engines } = manifest;
@@ -115,6 +124,7 @@ const count = settings();
 debuggers();
 walkthroughs();
 const named = await files();
+addresses();
 metadata();
 for (const complaint of complaints) console.log(complaint);
 console.log(`${known.size} commands, ${count} settings, ${named} files, ${complaints.length} complaints`);

@@ -17,7 +17,7 @@ const vsix = join(resolve(out), 'proskill-linux-x64.vsix');
 
 function workspace() {
   const folder = mkdtempSync(join(tmpdir(), 'proskill-workspace-'));
-  for (const name of ['drone', 'rover', 'lift', 'fiacre']) cpSync(join(tree, 'examples', name), join(folder, name), { recursive: true });
+  for (const name of ['drone', 'rover', 'lift', 'fiacre', 'gripper', 'patrol']) cpSync(join(tree, 'examples', name), join(folder, name), { recursive: true });
   cpSync(join(tree, 'docs/tour/dock.proskill'), join(folder, 'dock.proskill'));
   mkdirSync(join(folder, '.vscode'));
   writeFileSync(join(folder, '.vscode/settings.json'), '{}');
@@ -30,32 +30,35 @@ function whatWasWaitedFor({ message }) {
   return [first, rest.find((line) => /waiting for|locator\(/.test(line))?.trim()].filter(Boolean).join(' ');
 }
 
-/** Whether it succeeded; restores the editor for the next one. */
-async function passes(world, name, scenario) {
+/** Why it failed, or nothing; restores the editor for the next one. */
+async function failureOf(world, name, scenario) {
   const begin = Date.now();
   const { taken } = world.editor;
   try {
     await scenario(world);
     console.log(`ok      ${name} (${((Date.now() - begin) / 1000).toFixed(1)} s)`);
     if (world.editor.taken === taken) await world.editor.picture(name);
-    return true;
+    return undefined;
   } catch (error) {
-    console.log(`FAILED  ${name}: ${whatWasWaitedFor(error)}`);
+    const reason = `${whatWasWaitedFor(error)} (${await world.editor.focus()})`;
+    console.log(`FAILED  ${name}: ${reason}`);
     if (process.env.VERBOSE) console.log(error.stack);
     await world.editor.picture(`${name}.failed`);
     await world.editor.command('File: Revert File').catch(() => undefined);
-    return false;
+    return reason;
   }
 }
 
-/** The names of those that fail twice: the editor is a separate program, and sometimes slow on a busy machine. First failures are printed. */
+/** The names of those that fail twice: the editor is a separate program, and sometimes slow on a busy machine. scripts/summary.py reports those that fail once. */
 async function play(world) {
   const failures = [];
   for (const [name, scenario] of Object.entries(scenarios)) {
     if (only.length && !only.includes(name)) continue;
-    if (await passes(world, name, scenario)) continue;
+    const reason = await failureOf(world, name, scenario);
+    if (reason === undefined) continue;
     console.log(`again   ${name}`);
-    if (!(await passes(world, name, scenario))) failures.push(name);
+    if ((await failureOf(world, name, scenario)) !== undefined) failures.push(name);
+    else console.log(`retried: ${name}: ${reason}\nCTEST_FULL_OUTPUT`); // else ctest cuts off the line
   }
   return failures;
 }

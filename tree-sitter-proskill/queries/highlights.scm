@@ -141,6 +141,9 @@
 (globally operator: _ @operator)
 (finally operator: _ @operator)
 (next operator: _ @operator)
+(weak_until operator: _ @operator)
+(release operator: _ @operator)
+(strong_release operator: _ @operator)
 (running operator: _ @function.builtin skill: (symbol) @function)
 (called operator: _ @function.builtin skill: (symbol) @function)
 (ended operator: _ @function.builtin skill: (symbol) @function)
@@ -148,16 +151,20 @@
 (occurs operator: _ @function.builtin event: (symbol) @type)
 (at operator: _ @function.builtin)
 (value operator: _ @function.builtin)
+; Patterns.
 [
   "always"
   "never"
   "reachable"
+  "always_reachable"
   "deadlockfree"
   "infinitelyoften"
   "leadsto"
   "precedes"
   "present"
   "absent"
+  "longest"
+  "shortest"
   "ltl"
 ] @keyword.operator
 

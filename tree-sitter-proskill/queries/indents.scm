@@ -88,16 +88,22 @@
   (always)
   (never)
   (reachable)
+  (always_reachable)
   (infinitelyoften)
   (leadsto)
   (precedes)
   (present)
   (absent)
+  (longest)
+  (shortest)
   (ltl)
   (globally)
   (finally)
   (next)
   (until)
+  (weak_until)
+  (release)
+  (strong_release)
 ] @indent.align
 
 ; Lists.

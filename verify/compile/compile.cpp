@@ -5,6 +5,8 @@
 #include "verify/compile/priorities.h"
 #include "verify/compile/watch.h"
 #include "verify/model/clocks.h"
+#include "verify/model/path_events.h"
+#include "verify/model/value_bounds.h"
 #include "verify/unsupported.h"
 
 #include <algorithm>
@@ -156,17 +158,15 @@ private:
                                const std::vector<PathId>& parts) {
     types.checkLimits();
     if (step.fails || observes(model, system, step)) return false;
-    Bits happening;
-    for (auto event : step.events) happening.insert(event);
     std::set<InstanceId> moving;
-    for (auto id : step.parts) {
-      moving.insert(system.paths[id].instance);
-      for (const auto& instruction : system.paths[id].code)
-        if (instruction.event != kNone) happening.insert(instruction.event);
-    }
+    for (auto id : step.parts) moving.insert(system.paths[id].instance);
     if (std::ranges::any_of(parts,
                             [&](PathId id) { return moving.contains(system.paths[id].instance); }))
       return false;
+    Bits happening = eventsOf(system, step.parts);
+    happening |= eventsOf(system, parts);
+    for (auto event : step.events) happening.insert(event);
+    if (const auto event = events.askedPort(port); event != kNone) happening.insert(event);
     auto& nodes = expressions.nodes();
     const NodeId seen = nodes.substitute(*probes[port], [&](const Node& leaf) {
       const bool never = leaf.op == NodeOp::Happens && !happening.contains(leaf.a);
@@ -359,9 +359,11 @@ std::expected<Compiled, Unsupported> compile(const fiacre::Program& program,
     Elaboration model = elaborate(program, types, expressions, made.system);
     Events events(made.system);
     Observer observer(program, model, expressions, events, made.system);
-    for (auto question : questions) {
+    for (const auto& question : questions) {
       Goal& goal = made.goals.emplace_back(observer.goal(program.properties.at(question.property)));
       goal.monitor.fair = question.fair && goal.monitor.looksForCycles();
+      goal.monitor.exempt = question.exempt;
+      goal.monitor.rests = question.rests && goal.monitor.looksForCycles();
     }
     Probes probes;
     for (const auto* probe : model.probes) {

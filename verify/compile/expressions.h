@@ -2,6 +2,7 @@
 
 #include "verify/compile/types.h"
 #include "verify/model/nodes.h"
+#include "verify/model/value_bounds.h"
 
 #include <deque>
 #include <map>

@@ -1,5 +1,6 @@
 #include "fiacre/print/print.h"
 #include "verify/compile/expressions.h"
+#include "verify/model/value_bounds.h"
 #include "verify/unsupported.h"
 
 #include <algorithm>

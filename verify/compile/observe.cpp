@@ -1,6 +1,7 @@
 #include "verify/compile/observe.h"
 
 #include "verify/monitor/buchi.h"
+#include "verify/monitor/duration_monitor.h"
 #include "verify/monitor/pattern_monitors.h"
 #include "verify/unsupported.h"
 
@@ -57,6 +58,10 @@ std::optional<Goal> Observer::goalOfStates(const fiacre::Pattern& pattern) {
   }
   case PatternKind::Progress: return Goal{.kind = GoalKind::Stuck};
   case PatternKind::NoError: return Goal{.kind = GoalKind::Error};
+  case PatternKind::AlwaysReachable:
+    return Goal{.kind = GoalKind::Lost, .condition = node(pattern.operands.at(0)), .ofSteps = true};
+  case PatternKind::Longest: return duration(GoalKind::Longest, pattern);
+  case PatternKind::Shortest: return duration(GoalKind::Shortest, pattern);
   case PatternKind::InfinitelyOften:
   case PatternKind::Mortal:
   case PatternKind::Present:
@@ -65,6 +70,12 @@ std::optional<Goal> Observer::goalOfStates(const fiacre::Pattern& pattern) {
   case PatternKind::Ltl: return std::nullopt;
   }
   std::unreachable();
+}
+
+Goal Observer::duration(GoalKind kind, const fiacre::Pattern& pattern) {
+  const NodeId from = node(pattern.operands.at(0));
+  const NodeId to = node(pattern.operands.at(1));
+  return {.kind = kind, .monitor = durationMonitor(system, expressions.nodes(), from, to)};
 }
 
 Goal Observer::reach(const Observable& observable) {

@@ -20,6 +20,7 @@ public:
 private:
   std::optional<Goal> goalOfStates(const fiacre::Pattern& pattern);
   Goal goalOfRuns(const fiacre::Ltl& ltl);
+  Goal duration(GoalKind kind, const fiacre::Pattern& pattern);
   Goal reach(const fiacre::Observable& observable);
   bool simple(const fiacre::Observable& observable, Goal& goal);
   NodeId joined(const fiacre::Observable& observable, NodeOp op);

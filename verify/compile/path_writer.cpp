@@ -181,7 +181,14 @@ void PathWriter::receive(const Statement& statement, PathDraft& draft) {
   synchronise(statement, draft);
   const auto first = static_cast<std::uint32_t>(draft.path.assignments.size());
   std::uint32_t part = 0;
-  for (const auto& target : statement.targets) {
+  const auto& sent = context.valuesOf(statement.name);
+  for (std::size_t i = 0; i < statement.targets.size(); ++i) {
+    const auto& target = statement.targets[i];
+    if (isWild(target)) {
+      if (i < sent.size())
+        part += static_cast<std::uint32_t>(expressions.lowest(sent[i]).parts.size());
+      continue;
+    }
     Value source = expressions.lowest(expressions.typeOf(target, *context.scope));
     for (auto& each : source.parts) each = nodes().received(part++);
     expressions.assign(target, source, *context.scope, draft.path.assignments, first);

@@ -49,12 +49,6 @@ Value Expressions::payloadOf(const Value& tested, const std::string& constructor
   return {type, {begin, begin + static_cast<std::ptrdiff_t>(types.scalars(*type))}};
 }
 
-namespace {
-
-bool isWild(const Expr& pattern) { return pattern.kind == ExprKind::Name && pattern.name == "any"; }
-
-} // namespace
-
 NodeId Expressions::matches(const Expr& pattern, const Value& tested, const Scope& scope) {
   if (isWild(pattern)) return maker.number(1);
   if (pattern.kind == ExprKind::Construct && !isFunction(pattern.name)) {

@@ -16,11 +16,16 @@ namespace proskill::verify {
 
 namespace {
 
+std::set<std::string> without(std::set<std::string> all, const std::set<std::string>& some) {
+  for (const auto& each : some) all.erase(each);
+  return all;
+}
+
 class MonitorSearch {
 public:
   MonitorSearch(const System& of, const Monitor& with, const Reductions& used,
                 const std::set<std::string>& obliged, bool withTicks, bool errorsAreAsked,
-                LimitWatch& watch)
+                LimitWatch& watch, MeasuredClock* clock)
       : system(of),
         monitor(with),
         reductions(used),
@@ -30,12 +35,14 @@ public:
         limits(watch),
         enabling(of, used.dropped),
         walker(of, enabling, used),
-        waits(with.fair ? openWaits(of, obliged, used.dropped) : std::vector<OpenWait>{}),
+        waits(with.fair ? openWaits(of, without(obliged, with.exempt), used.dropped)
+                        : std::vector<OpenWait>{}),
         graph(with, cycles, walker),
         timing(of, Extrapolation::LowerUpper),
         arrivals(walker, timing, watch),
         ticks(withTicks),
-        own(with, withTicks),
+        measured(clock),
+        own(with, withTicks, clock),
         states(of.storedWords) {
     for (const auto& transition : of.transitions) hasErrors = hasErrors || transition.fails;
   }
@@ -113,6 +120,10 @@ private:
   void arrive(const Arrival& there, std::uint32_t location, const Dbm& zone, NodeIndex parent,
               WatchMove move, bool rests = false) {
     if (done()) return;
+    if (measured && location == kMeasured) {
+      if (!measured->longest) measured->note(zone.at(0, zone.dimension() - 1));
+      return;
+    }
     const auto& at = monitor.locations[location];
     const bool stays = seenIn(at.stay, there.state);
     if (!stays && std::ranges::none_of(at.edges, [](const auto& edge) { return !edge.ofStep; }))
@@ -120,6 +131,8 @@ private:
     const SignatureId signature = there.chain.back();
     auto made = own.settled(zone, timing.at(signature), location, !stays);
     if (!made) return;
+    if (measured && measured->longest && location == kMeasuring)
+      measured->note(made->at(made->dimension() - 1, 0));
     std::vector<Word> kept = there.state;
     if (reductions.liveVariables) reductions.liveVariables->clean(kept.data());
     const auto [id, isNew] = states.add(kept.data());
@@ -169,7 +182,7 @@ private:
       if (!location.edges[i].ofStep && seenIn(location.edges[i].condition, loaded))
         moveAlone(index, node, signature, i, MoveKind::Silent);
     if (node.instant || done()) return;
-    if (monitor.fair) goOnInTime(index, node);
+    if (monitor.letsRest()) goOnInTime(index, node);
     if (node.rests) return repeatState(index, node);
     if (fails()) return reportErrors(index, node);
     if (reductions.freeInputs) return expandOpen(index, node);
@@ -180,7 +193,7 @@ private:
       if (!done() && !enabling.isBlocked(transition, all))
         take(index, node, {.transition = transition}, loaded);
     });
-    if (stopped && !monitor.fair) repeatState(index, node);
+    if (stopped && !monitor.letsRest()) repeatState(index, node);
   }
 
   /// No more steps: time passes for ever, beyond all bounds.
@@ -321,6 +334,7 @@ private:
   Timing timing;
   Arrivals arrivals;
   bool ticks;
+  MeasuredClock* measured; ///< null: nothing is measured
   MonitorZones own;
   StateStore states;
   ZoneStore zones;
@@ -338,9 +352,12 @@ private:
 } // namespace
 
 Watched watchFor(const System& system, const Monitor& monitor, const Reductions& reductions,
-                 const std::set<std::string>& obliged, bool errorsAreAsked, LimitWatch& limits) {
+                 const std::set<std::string>& obliged, bool errorsAreAsked, LimitWatch& limits,
+                 MeasuredClock* measured) {
   const auto search = [&](bool ticks) {
-    return MonitorSearch(system, monitor, reductions, obliged, ticks, errorsAreAsked, limits).run();
+    return MonitorSearch(system, monitor, reductions, obliged, ticks, errorsAreAsked, limits,
+                         measured)
+        .run();
   };
   // without ticks there are fewer zones; if there is no cycle, there is none with ticks
   Watched found = search(false);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "verify/explore/monitor_zones.h"
 #include "verify/explore/search.h"
 #include "verify/limits.h"
 #include "verify/model/monitor.h"
@@ -23,9 +24,12 @@ struct Watched {
 /// sequences of steps; time need not diverge in them. If only fair runs count, the cycle contains a
 /// tick (see MonitorZones), and each open wait of an obliged process either ends on it or is
 /// interrupted.
+/// \param measured receives the values of the clock of a monitor of durations; then everything is
+/// explored
 /// \pre stubborn sets and free inputs are used only if watchesPoints()
 [[nodiscard]] Watched watchFor(const System& system, const Monitor& monitor,
                                const Reductions& reductions, const std::set<std::string>& obliged,
-                               bool errorsAreAsked, LimitWatch& limits);
+                               bool errorsAreAsked, LimitWatch& limits,
+                               MeasuredClock* measured = nullptr);
 
 } // namespace proskill::verify

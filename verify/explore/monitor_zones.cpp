@@ -25,12 +25,17 @@ Bits circlingLocations(const Monitor& monitor) {
 
 } // namespace
 
-MonitorZones::MonitorZones(const Monitor& of, bool withTicks) : monitor(of) {
+MonitorZones::MonitorZones(const Monitor& of, bool withTicks, const MeasuredClock* measured)
+    : monitor(of) {
   if (withTicks) circling = circlingLocations(monitor);
   for (const auto& location : monitor.locations)
     for (const auto& edge : location.edges)
       for (auto limit : {edge.clock.lower, edge.clock.upper})
-        if (limit != kInfinite) most = std::max(most, std::abs(constantOf(limit)));
+        if (limit != kInfinite) lower = upper = std::max(lower, std::abs(constantOf(limit)));
+  if (measured) { // no guard reads the clock
+    lower = measured->longest ? measured->most : -1;
+    upper = measured->longest ? -1 : measured->most;
+  }
 }
 
 std::uint32_t MonitorZones::count(std::uint32_t location) const {
@@ -46,15 +51,15 @@ std::optional<Dbm> MonitorZones::settled(Dbm zone, const Signature& signature,
   };
   if (!signature.urgent && !instant) zone.up();
   if (!limitTime()) return std::nullopt;
-  auto lower = signature.lower;
-  auto upper = signature.upper;
-  const auto add = [&](std::int32_t constant) {
-    lower.push_back(constant);
-    upper.push_back(constant);
+  auto fromBelow = signature.lower;
+  auto fromAbove = signature.upper;
+  const auto add = [&](std::int32_t below, std::int32_t above) {
+    fromBelow.push_back(below);
+    fromAbove.push_back(above);
   };
-  if (monitor.locations[location].timed) add(most);
-  if (ticks(location)) add(1);
-  zone.extrapolate(lower, upper);
+  if (monitor.locations[location].timed) add(lower, upper);
+  if (ticks(location)) add(1, 1);
+  zone.extrapolate(fromBelow, fromAbove);
   if (!limitTime()) return std::nullopt;
   return zone;
 }

@@ -4,10 +4,25 @@
 #include "verify/model/monitor.h"
 #include "verify/state/timing.h"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
 namespace proskill::verify {
+
+/// What a search finds out about the clock of a monitor of durations: monitor/duration_monitor.h.
+struct MeasuredClock {
+  bool longest = true;   ///< the greatest value during a measurement, or the least at its end
+  std::int32_t most = 0; ///< values up to this one are distinguished
+  /// Limits x - 0 if `longest`, else 0 - x: over all measurements. Nothing if there is none.
+  std::optional<Bound> found{};
+
+  void note(Bound limit) { found = found ? std::max(*found, limit) : limit; }
+  /// Whether the result is only known to lie beyond `most`.
+  [[nodiscard]] bool isBeyond() const {
+    return found && (longest ? *found == kInfinite : *found <= bound(-most, true));
+  }
+};
 
 /// Zones over the clocks of a system, followed by the clocks of a monitor's location: the monitor's
 /// clock if the location is timed, then, if only fair runs count, a clock that detects whether time
@@ -17,7 +32,8 @@ namespace proskill::verify {
 class MonitorZones {
 public:
   /// \param withTicks whether divergence of time is detected
-  MonitorZones(const Monitor& of, bool withTicks);
+  /// \param measured the clock is measured as well
+  MonitorZones(const Monitor& of, bool withTicks, const MeasuredClock* measured = nullptr);
 
   /// The number of clocks of a location itself.
   [[nodiscard]] std::uint32_t count(std::uint32_t location) const;
@@ -40,8 +56,10 @@ private:
   [[nodiscard]] bool ticks(std::uint32_t location) const { return circling.contains(location); }
 
   const Monitor& monitor;
-  Bits circling;         ///< locations on a cycle with an accepting one; only these need ticks
-  std::int32_t most = 0; ///< the largest constant to which the monitor's clock is compared
+  Bits circling; ///< locations on a cycle with an accepting one; only these need ticks
+  /// The greatest constants to which the monitor's clock is compared from below and from above.
+  std::int32_t lower = 0;
+  std::int32_t upper = 0;
 };
 
 } // namespace proskill::verify

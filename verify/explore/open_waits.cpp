@@ -1,5 +1,6 @@
 #include "verify/explore/open_waits.h"
 
+#include "verify/state/evaluate.h"
 #include "verify/state/state_layout.h"
 
 #include <map>

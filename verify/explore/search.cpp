@@ -1,7 +1,7 @@
 #include "verify/explore/search.h"
 
 #include "verify/reduce/free_inputs.h"
-#include "verify/state/state_layout.h"
+#include "verify/state/exact_zone.h"
 
 #include <algorithm>
 
@@ -10,35 +10,6 @@ namespace proskill::verify {
 namespace {
 
 bool isStuckGoal(const Goal& goal) { return goal.kind == GoalKind::Stuck; }
-
-/// Whether a run along these steps ends with the clocks in these ranges: computes the zones along
-/// it, extrapolated only as far as that is exact.
-bool isReal(const System& system, const Evidence& evidence) {
-  Timing timing(system, Extrapolation::Least);
-  Enabling enabling(system);
-  StepLog log;
-  std::vector<Word> state = initialState(system);
-  TransitionSet enabled;
-  enabling.compute(state.data(), enabled);
-  SignatureId signature = enabling.signature(enabled, timing);
-  ZoneId zone = timing.initial(signature);
-  for (auto step : evidence.steps) {
-    if (fire(system, step, state.data(), log) != Outcome::Done) return false;
-    enabling.update(step, state.data(), enabled);
-    const SignatureId next = enabling.signature(enabled, timing);
-    zone = timing.after(zone, signature, step, next);
-    if (zone == kNone) return false;
-    signature = next;
-  }
-  Dbm last = timing.zones().zone(zone);
-  const auto& clocks = timing.at(signature).clocks;
-  return std::ranges::all_of(evidence.clocks, [&](const ClockRange& range) {
-    auto at =
-        static_cast<std::uint32_t>(std::ranges::lower_bound(clocks, range.clock) - clocks.begin()) +
-        1;
-    return last.constrain(0, at, range.lower) && last.constrain(at, 0, range.upper);
-  });
-}
 
 /// \throw LimitMet
 std::optional<Evidence> findStuck(const System& system, const Reductions& reductions,
@@ -51,7 +22,7 @@ std::optional<Evidence> findStuck(const System& system, const Reductions& reduct
   Evidence evidence{explorer.pathTo(stuck->node), stuck->clocks};
   if (!reductions.freeInputs) return evidence;
   std::vector<Word> stored(system.words);
-  std::copy_n(graph.states.at(graph.nodes[stuck->node].state), system.storedWords, stored.begin());
+  graph.states.read(graph.stateOf(stuck->node), stored.data());
   const auto inputs = reductions.freeInputs->between(stored.data(), stuck->state.data());
   evidence.steps.insert(evidence.steps.end(), inputs.begin(), inputs.end());
   return evidence;
@@ -95,12 +66,27 @@ std::optional<Evidence> findStuck(const System& system, const std::vector<Goal>&
 
 } // namespace
 
+bool isReal(const System& system, const Evidence& evidence) {
+  auto reached = exactZone(system, evidence.steps);
+  if (!reached) return false;
+  auto& [clocks, last] = *reached;
+  return std::ranges::all_of(evidence.clocks, [&](const ClockRange& range) {
+    auto at =
+        static_cast<std::uint32_t>(std::ranges::lower_bound(clocks, range.clock) - clocks.begin()) +
+        1;
+    return last.constrain(0, at, range.lower) && last.constrain(at, 0, range.upper);
+  });
+}
+
 void addCounts(Exploration& to, const Exploration& more) {
   to.classes += more.classes;
   to.markings += more.markings;
   to.domains += more.domains;
   to.transitions += more.transitions;
   to.bytes = std::max(to.bytes, more.bytes);
+  to.ranks = std::max(to.ranks, more.ranks);
+  to.messages += more.messages;
+  to.sentBytes += more.sentBytes;
 }
 
 void add(Exploration& to, const Exploration& more) {
@@ -112,7 +98,8 @@ void add(Exploration& to, const Exploration& more) {
 
 SearchResult search(const System& system, const std::vector<Goal>& goals,
                     const Reductions& reductions, Extrapolation extrapolation, LimitWatch& limits,
-                    const OnEvidence& onFound, const Pause& pause, GoalDistance* distance) {
+                    const OnEvidence& onFound, const Pause& pause, Guide guide,
+                    Checkpoint* checkpoint) {
   SearchResult result;
   result.goals.resize(goals.size());
   const auto note = [&](std::size_t goal, const Evidence& evidence) {
@@ -124,15 +111,21 @@ SearchResult search(const System& system, const std::vector<Goal>& goals,
       [&](std::size_t goal, const Steps& steps) {
         note(goal, Evidence{steps, {}});
       },
-      pause, distance);
+      pause, guide, checkpoint);
   Explored explored = explorer.run();
   result.statistics = explored.statistics;
   if (!explored.failure.empty())
     result.failure = Unsupported{explored.failure, explored.failureOrigin};
   result.paused = explored.paused;
+  result.limited = explored.limited;
   if (result.failure || result.paused || std::ranges::none_of(goals, isStuckGoal)) return result;
 
+  if (!result.limited) explorer.saveIfDue(); // what follows may take long, too
   const auto stuck = findStuck(system, goals, reductions, extrapolation, explorer, limits, result);
+  if (!result.progressStopped.empty() && !result.limited) {
+    result.limited = true;
+    explorer.save();
+  }
   result.statistics.seconds = limits.seconds();
   for (std::size_t i = 0; stuck && i < goals.size(); ++i)
     if (isStuckGoal(goals[i])) note(i, *stuck);

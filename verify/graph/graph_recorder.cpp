@@ -69,7 +69,7 @@ std::uint64_t GraphRecorder::bytes() const {
   return edges.capacity() * sizeof(Edge) + numberOfNode.size() * kOfNode;
 }
 
-StateGraph GraphRecorder::graph(Class initial, const StateStore& markings) const {
+StateGraph GraphRecorder::graph(Class initial, const StateTree& markings) const {
   auto united = edges;
   if (kind == GraphKind::Markings) unite(united);
   const std::size_t nodes = std::max<std::size_t>(markingOf.size(), 1);
@@ -99,7 +99,7 @@ StateGraph GraphRecorder::graph(Class initial, const StateStore& markings) const
 
 /// Names the properties of markings: places in the order of the instances, then variables.
 void GraphRecorder::addProperties(StateGraph& graph, const std::vector<std::uint32_t>& stored,
-                                  const StateStore& markings) const {
+                                  const StateTree& markings) const {
   std::vector<std::uint32_t> firstPlace;
   std::vector<CellId> variables;
   std::vector<bool> isLocation(system.cells.size());
@@ -116,19 +116,20 @@ void GraphRecorder::addProperties(StateGraph& graph, const std::vector<std::uint
     graph.properties.push_back(tinaVariable(system, cell, main));
   }
   std::unordered_map<std::uint32_t, std::uint32_t> numberOf;
+  std::vector<Word> state(system.words);
   for (auto marking : stored) {
     auto [entry, added] =
         numberOf.try_emplace(marking, static_cast<std::uint32_t>(graph.markings.size()));
     graph.markingOf.push_back(entry->second);
     if (!added) continue;
-    const Word* state = markings.at(marking);
+    markings.read(marking, state.data());
     auto& has = graph.markings.emplace_back();
     for (InstanceId i = 0; i < system.instances.size(); ++i) {
-      const auto at = readCell(system, system.instances[i].location, state);
+      const auto at = readCell(system, system.instances[i].location, state.data());
       has.emplace_back(firstPlace[i] + static_cast<std::uint32_t>(at), 1);
     }
     for (std::size_t i = 0; i < variables.size(); ++i)
-      if (auto value = readCell(system, variables[i], state); value != 0)
+      if (auto value = readCell(system, variables[i], state.data()); value != 0)
         has.emplace_back(firstVariable + static_cast<std::uint32_t>(i), value);
   }
 }

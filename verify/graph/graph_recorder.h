@@ -1,8 +1,8 @@
 #pragma once
 
 #include "verify/graph/state_graph.h"
+#include "verify/space/state_tree.h"
 #include "verify/state/run.h"
-#include "verify/state/store.h"
 
 #include <unordered_map>
 
@@ -26,12 +26,12 @@ public:
 
   /// The graph of all recorded edges. `markings` are the packed markings to which the classes
   /// refer.
-  [[nodiscard]] StateGraph graph(Class initial, const StateStore& markings) const;
+  [[nodiscard]] StateGraph graph(Class initial, const StateTree& markings) const;
 
 private:
   [[nodiscard]] std::uint32_t node(Class of);
   void addProperties(StateGraph& graph, const std::vector<std::uint32_t>& markingOf,
-                     const StateStore& markings) const;
+                     const StateTree& markings) const;
 
   const System& system;
   std::string main;

@@ -4,6 +4,7 @@ namespace proskill::verify {
 
 void Frontier::add(const Word* state, TransitionId lastStep) {
   const Node node = added++;
+  if (walks) walks->add(node);
   if (!distance) return;
   const Estimate estimate{distance->from(state), node};
   isTaken.push_back(false);
@@ -13,6 +14,7 @@ void Frontier::add(const Word* state, TransitionId lastStep) {
 
 Frontier::Node Frontier::take() {
   const Node inOrder = taken++;
+  if (walks) return walks->take();
   if (!distance) return inOrder;
   isTurnOfUseful = !isTurnOfUseful;
   if (isTurnOfUseful)

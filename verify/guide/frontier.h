@@ -1,6 +1,7 @@
 #pragma once
 
 #include "verify/guide/goal_distance.h"
+#include "verify/guide/random_walks.h"
 
 #include <optional>
 #include <queue>
@@ -9,16 +10,26 @@
 
 namespace proskill::verify {
 
-/// The nodes that a search has to expand. Without a distance they come in the order in which they
-/// were found. With one, the node with the smallest estimate comes first, in turn among all nodes
-/// and among those that a useful step leads to: Richter and Helmert, "Preferred operators and
+/// What leads a search. Without either, it is breadth-first.
+struct Guide {
+  GoalDistance* distance = nullptr; ///< to the only goal
+  bool walks = false;               ///< at random
+
+  [[nodiscard]] bool leads() const { return distance || walks; }
+};
+
+/// The nodes that a search has to expand. Without a guide they come in the order in which they
+/// were found. With a distance, the node with the smallest estimate comes first, in turn among all
+/// nodes and among those that a useful step leads to: Richter and Helmert, "Preferred operators and
 /// deferred evaluation in satisficing planning", ICAPS 2009.
 class Frontier {
 public:
   using Node = std::uint32_t;
 
-  /// \param leading may be null \pre it outlives this
-  explicit Frontier(GoalDistance* leading) : distance(leading) {}
+  /// \pre the guide's distance outlives this
+  explicit Frontier(Guide guide) : distance(guide.distance) {
+    if (guide.walks) walks.emplace();
+  }
 
   /// Adds the next node. Nodes are numbered from 0 in the order in which they are added.
   /// \param lastStep the step that leads to it from the node that is expanded, or kNone
@@ -37,6 +48,7 @@ private:
   std::optional<Node> takeFrom(Queue& queue);
 
   GoalDistance* distance;
+  std::optional<RandomWalks> walks;
   Queue all;
   Queue useful; ///< those that a useful step leads to
   bool isTurnOfUseful = false;

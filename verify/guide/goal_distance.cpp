@@ -29,6 +29,9 @@ bool GoalDistance::isFor(const Goal& goal) {
   case GoalKind::Stuck:
   case GoalKind::Error:
   case GoalKind::Run:
+  case GoalKind::Lost:
+  case GoalKind::Longest:
+  case GoalKind::Shortest:
   case GoalKind::Unsupported: return false;
   }
   std::unreachable();

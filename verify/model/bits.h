@@ -54,6 +54,7 @@ public:
       if ((words[i] & other.words[i]) != 0) return true;
     return false;
   }
+  [[nodiscard]] std::uint64_t bytes() const { return words.capacity() * sizeof(std::uint64_t); }
   template <class Visit> void each(Visit visit) const {
     for (std::size_t i = 0; i < words.size(); ++i)
       for (auto rest = words[i]; rest != 0; rest &= rest - 1)

@@ -3,7 +3,9 @@
 #include "verify/model/monitor.h"
 #include "verify/model/system.h"
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 namespace proskill::verify {
 
@@ -14,6 +16,9 @@ enum class GoalKind : std::uint8_t {
   Stuck,       ///< time can never pass again
   Error,       ///< an evaluation fails at run time
   Run,         ///< a run that `monitor` accepts
+  Lost,        ///< a moment from which `condition` cannot be seen any more
+  Longest,     ///< the greatest value of the monitor's clock: see monitor/duration_monitor.h
+  Shortest,    ///< the least one
   Unsupported, ///< the property cannot be checked, because of `reason`
 };
 
@@ -28,5 +33,21 @@ struct Goal {
   std::string reason;
   Monitor monitor;
 };
+
+/// Whether a replayed run is enough to show that the property is false. What a system can never do,
+/// or never takes longer to do, no single run shows.
+[[nodiscard]] inline bool isShownByOneRun(const Goal& goal) {
+  return goal.kind != GoalKind::Lost && goal.kind != GoalKind::Longest &&
+         goal.kind != GoalKind::Shortest;
+}
+
+[[nodiscard]] inline bool askForErrors(const std::vector<Goal>& goals) {
+  return std::ranges::any_of(goals, [](const Goal& goal) { return goal.kind == GoalKind::Error; });
+}
+
+/// Whether a question cannot share an exploration with others.
+[[nodiscard]] inline bool hasOwnSearch(const Goal& goal) {
+  return goal.kind == GoalKind::Run || !isShownByOneRun(goal);
+}
 
 } // namespace proskill::verify

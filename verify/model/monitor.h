@@ -3,6 +3,8 @@
 #include "verify/model/dbm.h"
 #include "verify/model/system.h"
 
+#include <set>
+#include <string>
 #include <vector>
 
 /// Automata that read a run of a model and accept the runs that violate a property: timed Büchi
@@ -35,6 +37,11 @@ struct MonitorLocation {
   std::vector<MonitorEdge> edges;
 };
 
+/// Locations of the monitors of durations (monitor/duration_monitor.h): during a measurement, and
+/// after it.
+inline constexpr std::uint32_t kMeasuring = 2;
+inline constexpr std::uint32_t kMeasured = 3;
+
 struct Monitor {
   std::vector<MonitorLocation> locations;
   std::vector<std::uint32_t> initial;
@@ -42,8 +49,12 @@ struct Monitor {
   bool ofPoints = true;
   /// Whether a state may be read several times in a row with the same result as once.
   bool ofStates = true;
-  bool fair = false; ///< only fair runs count: Question::fair
+  bool fair = false;            ///< only fair runs count: Question::fair
+  std::set<std::string> exempt; ///< Question::exempt
+  bool rests = false;           ///< Question::rests
 
+  /// Whether a run may end where no step is forced.
+  [[nodiscard]] bool letsRest() const { return fair || rests; }
   [[nodiscard]] bool looksForCycles() const {
     for (const auto& location : locations)
       if (location.accepting) return true;

@@ -1,5 +1,7 @@
 #include "verify/model/nodes.h"
 
+#include "verify/model/value_bounds.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -9,15 +11,9 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-constexpr std::int64_t kHuge = std::int64_t{1} << 62;
-
-std::int64_t clampWide(Wide value) {
-  return static_cast<std::int64_t>(std::clamp<Wide>(value, -kHuge, kHuge));
-}
-
 /// \return nullopt on overflow, which is an error at run time
 std::optional<std::int64_t> within(Wide value) {
-  if (value < -kHuge || value > kHuge) return std::nullopt;
+  if (value < -kLargestNumber || value > kLargestNumber) return std::nullopt;
   return static_cast<std::int64_t>(value);
 }
 
@@ -144,9 +140,9 @@ NodeId Nodes::substitute(NodeId id, const Leaf& leaf) {
   const Node node = system.nodes[id]; // a copy, since nodes are added
   switch (node.op) {
   case NodeOp::Number:
-  case NodeOp::Test:
-  case NodeOp::Happens: return id;
+  case NodeOp::Test: return id;
   case NodeOp::Cell:
+  case NodeOp::Happens:
   case NodeOp::Received: return leaf(node).value_or(id);
   case NodeOp::Not:
   case NodeOp::Negate:
@@ -171,78 +167,6 @@ NodeId Nodes::substitute(NodeId id, const Leaf& leaf) {
   case NodeOp::Multiply:
   case NodeOp::Divide:
   case NodeOp::Modulo: return binary(node.op, substitute(node.a, leaf), substitute(node.b, leaf));
-  }
-  std::unreachable();
-}
-
-namespace {
-
-template <class Combine> ValueBounds corners(ValueBounds a, ValueBounds b, Combine combine) {
-  const Wide values[] = {combine(a.low, b.low), combine(a.low, b.high), combine(a.high, b.low),
-                         combine(a.high, b.high)};
-  return {clampWide(*std::ranges::min_element(values)),
-          clampWide(*std::ranges::max_element(values))};
-}
-
-ValueBounds moduloBounds(ValueBounds a, ValueBounds b) {
-  std::int64_t most = std::max(b.high, -b.low) - 1;
-  return {a.low < 0 ? -most : 0, a.high > 0 ? most : 0};
-}
-
-ValueBounds quotientBounds(ValueBounds a) {
-  std::int64_t most = std::max(a.high, -a.low);
-  return {-most, most};
-}
-
-} // namespace
-
-ValueBounds valueBounds(const System& system, NodeId id) {
-  const Node& node = system.nodes[id];
-  switch (node.op) {
-  case NodeOp::Number: return {node.number, node.number};
-  case NodeOp::Cell: return {system.cells[node.a].low, system.cells[node.a].high};
-  case NodeOp::Negate: {
-    auto a = valueBounds(system, node.a);
-    return {-a.high, -a.low};
-  }
-  case NodeOp::Add: {
-    auto [a, b] = std::pair{valueBounds(system, node.a), valueBounds(system, node.b)};
-    return {clampWide(static_cast<Wide>(a.low) + b.low),
-            clampWide(static_cast<Wide>(a.high) + b.high)};
-  }
-  case NodeOp::Subtract: {
-    auto [a, b] = std::pair{valueBounds(system, node.a), valueBounds(system, node.b)};
-    return {clampWide(static_cast<Wide>(a.low) - b.high),
-            clampWide(static_cast<Wide>(a.high) - b.low)};
-  }
-  case NodeOp::Multiply:
-    return corners(valueBounds(system, node.a), valueBounds(system, node.b),
-                   [](Wide a, Wide b) { return a * b; });
-  case NodeOp::Divide: return quotientBounds(valueBounds(system, node.a));
-  case NodeOp::Modulo:
-    return moduloBounds(valueBounds(system, node.a), valueBounds(system, node.b));
-  case NodeOp::Conditional: {
-    auto [b, c] = std::pair{valueBounds(system, node.b), valueBounds(system, node.c)};
-    return {std::min(b.low, c.low), std::max(b.high, c.high)};
-  }
-  case NodeOp::Require: {
-    const auto value = valueBounds(system, node.b);
-    if (node.number == 0) return value;
-    return {std::clamp(value.low, node.low, node.high),
-            std::clamp(value.high, node.low, node.high)};
-  }
-  case NodeOp::Test:
-  case NodeOp::Not:
-  case NodeOp::And:
-  case NodeOp::Or:
-  case NodeOp::Equal:
-  case NodeOp::Less:
-  case NodeOp::LessEqual:
-  case NodeOp::Happens:
-  case NodeOp::Entered:
-  case NodeOp::Left:
-  case NodeOp::Received:
-  case NodeOp::Fails: return {0, 1};
   }
   std::unreachable();
 }
@@ -281,42 +205,6 @@ template <class Visit> void eachNode(const System& system, NodeId id, Visit& vis
 
 } // namespace
 
-bool mayFail(const System& system, NodeId id) {
-  const Node& node = system.nodes[id];
-  const auto inside = [&](auto... parts) { return (mayFail(system, parts) || ...); };
-  switch (node.op) {
-  case NodeOp::Require: return true;
-  case NodeOp::Number:
-  case NodeOp::Cell:
-  case NodeOp::Test:
-  case NodeOp::Received:
-  case NodeOp::Happens:
-  case NodeOp::Fails: return false;
-  case NodeOp::Not:
-  case NodeOp::Negate:
-  case NodeOp::Entered:
-  case NodeOp::Left: return inside(node.a);
-  case NodeOp::Conditional: return inside(node.a, node.b, node.c);
-  case NodeOp::Divide:
-  case NodeOp::Modulo: {
-    const auto divisor = valueBounds(system, node.b);
-    return (divisor.low <= 0 && 0 <= divisor.high) || inside(node.a, node.b);
-  }
-  case NodeOp::Add:
-  case NodeOp::Subtract:
-  case NodeOp::Multiply: {
-    const auto bounds = valueBounds(system, id);
-    return bounds.low <= -kHuge || bounds.high >= kHuge || inside(node.a, node.b);
-  }
-  case NodeOp::And:
-  case NodeOp::Or:
-  case NodeOp::Equal:
-  case NodeOp::Less:
-  case NodeOp::LessEqual: return inside(node.a, node.b);
-  }
-  std::unreachable();
-}
-
 void addReads(const System& system, NodeId id, Bits& cells) {
   auto visit = [&](const Node& node) {
     if (node.op == NodeOp::Cell || node.op == NodeOp::Test)
@@ -332,14 +220,16 @@ void addEvents(const System& system, NodeId id, Bits& events) {
   eachNode(system, id, visit);
 }
 
-bool watchesSteps(const System& system, NodeId id) {
-  bool found = false;
+std::set<NodeId> stepAtoms(const System& system, NodeId id) {
+  std::set<NodeId> atoms;
   auto visit = [&](const Node& node) {
-    found = found || node.op == NodeOp::Happens || node.op == NodeOp::Entered ||
-            node.op == NodeOp::Left;
+    if (node.op == NodeOp::Happens || node.op == NodeOp::Entered || node.op == NodeOp::Left)
+      atoms.insert(static_cast<NodeId>(&node - system.nodes.data()));
   };
   eachNode(system, id, visit);
-  return found;
+  return atoms;
 }
+
+bool watchesSteps(const System& system, NodeId id) { return !stepAtoms(system, id).empty(); }
 
 } // namespace proskill::verify

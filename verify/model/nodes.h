@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <tuple>
 
 namespace proskill::verify {
@@ -32,8 +33,8 @@ public:
   NodeId fails(NodeId node) { return unary(NodeOp::Fails, node); }
   /// The fault with this description.
   FaultId fault(const std::string& words);
-  /// A copy of the node with leaves replaced: for each Cell or Received, `leaf` returns the
-  /// replacement, or nothing to keep it.
+  /// A copy of the node with leaves replaced: for each Cell, Happens or Received, `leaf` returns
+  /// the replacement, or nothing to keep it.
   using Leaf = std::function<std::optional<NodeId>(const Node&)>;
   NodeId substitute(NodeId node, const Leaf& leaf);
 
@@ -48,18 +49,12 @@ private:
       known;
 };
 
-/// Bounds of a node's value for all values of the cells within their ranges.
-struct ValueBounds {
-  std::int64_t low = 0;
-  std::int64_t high = 0;
-};
-[[nodiscard]] ValueBounds valueBounds(const System& system, NodeId node);
-/// Whether evaluation may cause a fault.
-[[nodiscard]] bool mayFail(const System& system, NodeId node);
 /// Adds the cells that a node reads.
 void addReads(const System& system, NodeId node, Bits& cells);
 /// Adds the events that a node watches.
 void addEvents(const System& system, NodeId node, Bits& events);
+/// The parts of a node that depend on what happens in a step: events, and changes of conditions.
+[[nodiscard]] std::set<NodeId> stepAtoms(const System& system, NodeId node);
 /// Whether a node depends on what happens in a step, so that it is more than a condition on a
 /// state.
 [[nodiscard]] bool watchesSteps(const System& system, NodeId node);

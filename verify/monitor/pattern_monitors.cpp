@@ -88,7 +88,10 @@ private:
     case PatternKind::DeadlockFree:
     case PatternKind::Ltl:
     case PatternKind::Progress:
-    case PatternKind::NoError: return false;
+    case PatternKind::NoError:
+    case PatternKind::AlwaysReachable:
+    case PatternKind::Longest:
+    case PatternKind::Shortest: return false;
     }
     std::unreachable();
   }
@@ -180,7 +183,10 @@ private:
     case PatternKind::Mortal:
     case PatternKind::Ltl:
     case PatternKind::Progress:
-    case PatternKind::NoError: return false;
+    case PatternKind::NoError:
+    case PatternKind::AlwaysReachable:
+    case PatternKind::Longest:
+    case PatternKind::Shortest: return false;
     }
     std::unreachable();
   }
@@ -242,7 +248,10 @@ private:
     case PatternKind::Mortal:
     case PatternKind::Ltl:
     case PatternKind::Progress:
-    case PatternKind::NoError: return false;
+    case PatternKind::NoError:
+    case PatternKind::AlwaysReachable:
+    case PatternKind::Longest:
+    case PatternKind::Shortest: return false;
     }
     std::unreachable();
   }
@@ -299,7 +308,10 @@ private:
     case PatternKind::Mortal:
     case PatternKind::Ltl:
     case PatternKind::Progress:
-    case PatternKind::NoError: return false;
+    case PatternKind::NoError:
+    case PatternKind::AlwaysReachable:
+    case PatternKind::Longest:
+    case PatternKind::Shortest: return false;
     }
     std::unreachable();
   }

@@ -49,9 +49,9 @@ struct Mover {
   std::vector<std::optional<std::int64_t>> to; ///< by value, from the cell's lowest on
 };
 
-class Search {
+class SetterSearch {
 public:
-  Search(const System& of, const std::vector<Goal>& goals, const Bits& without)
+  SetterSearch(const System& of, const std::vector<Goal>& goals, const Bits& without)
       : system(of),
         dropped(without),
         closed(closedCells(of, goals)),
@@ -245,7 +245,7 @@ private:
 
 std::vector<FreeInput> findFreeInputs(const System& system, const std::vector<Goal>& goals,
                                       const Bits& dropped) {
-  return Search(system, goals, dropped).run();
+  return SetterSearch(system, goals, dropped).run();
 }
 
 } // namespace proskill::verify

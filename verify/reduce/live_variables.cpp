@@ -6,6 +6,7 @@
 #include "verify/state/evaluate.h"
 
 #include <algorithm>
+#include <span>
 
 namespace proskill::verify {
 
@@ -21,7 +22,7 @@ bool grow(Bits& set, const Bits& more) {
 
 LiveVariables::LiveVariables(const System& of, const std::vector<Goal>& goals, const Bits& dropped,
                              LimitWatch& watch)
-    : system(of), limits(watch), keyMask(of.storedWords), keys(of.storedWords) {
+    : system(of), limits(&watch), keyMask(of.storedWords), keys(of.storedWords) {
   for (const auto& goal : goals) addReads(system, goal.condition, always);
   for (const auto& instance : system.instances) always.insert(instance.location);
   Bits used;
@@ -32,7 +33,7 @@ LiveVariables::LiveVariables(const System& of, const std::vector<Goal>& goals, c
   PathsOf paths(system.instances.size());
   writing.resize(system.cells.size());
   for (PathId i = 0; i < system.paths.size(); ++i) {
-    limits.check();
+    limits->check();
     written.push_back(surelyWritten(system.paths[i]));
     if (!used.contains(i)) continue;
     paths[system.paths[i].instance].push_back(i);
@@ -50,10 +51,36 @@ LiveVariables::LiveVariables(const System& of, const std::vector<Goal>& goals, c
         for (const auto& need : way.needs) addReads(system, need.condition, tells);
     }
   }
-  tells.each([&](CellId id) {
+  keyMask = maskOf(tells);
+  allMask = maskOf(allCells);
+  alwaysMask = maskOf(always);
+  for (auto& ofInstance : places)
+    for (auto& place : ofInstance) findMasks(place);
+}
+
+std::vector<Word> LiveVariables::maskOf(const Bits& cells) const {
+  std::vector<Word> mask(system.storedWords);
+  cells.each([&](CellId id) {
     const Cell& cell = system.cells[id];
-    if (cell.word < system.storedWords) keyMask[cell.word] |= cell.mask;
+    if (cell.word < system.storedWords) mask[cell.word] |= cell.mask;
   });
+  return mask;
+}
+
+void LiveVariables::findMasks(Place& place) const {
+  Bits surely;
+  for (const auto& way : place.ways) {
+    Bits own = way.live;
+    for (const auto& need : way.needs) own -= need.rewritten;
+    surely |= own;
+  }
+  place.surelyLive = maskOf(surely);
+  place.writes = maskOf(place.later);
+  for (auto node : place.needed) {
+    Bits cells;
+    addReads(system, node, cells);
+    place.neededCells.push_back(maskOf(cells));
+  }
 }
 
 /// Finds conditions on a single cell that all paths of a location have in common.
@@ -77,7 +104,7 @@ void LiveVariables::findNeeded(const PathsOf& paths, InstanceId instance) {
 /// Finds the paths of each location, with those conditions that show which cells will be written.
 void LiveVariables::findWays(const PathsOf& paths, InstanceId instance) {
   for (auto id : paths[instance]) {
-    limits.check();
+    limits->check();
     const Path& path = system.paths[id];
     Way& way = places[instance][path.location].ways.emplace_back(Way{id, {}, path.guardReads});
     way.live |= path.reads;
@@ -119,17 +146,17 @@ void LiveVariables::findLive(std::vector<Place>& all) {
     for (const auto& way : all[i].ways)
       for (const auto& [target, _] : written[way.path]) before[target].push_back(i);
   }
-  std::vector<bool> waiting(all.size(), true);
+  std::vector<bool> isWaiting(all.size(), true);
   while (!todo.empty()) {
     const auto at = todo.back();
     todo.pop_back();
-    waiting[at] = false;
+    isWaiting[at] = false;
     bool grew = false;
     for (auto& way : all[at].ways) grew = follow(all, all[at], way) || grew;
     if (!grew) continue;
     for (auto other : before[at])
-      if (!waiting[other]) {
-        waiting[other] = true;
+      if (!isWaiting[other]) {
+        isWaiting[other] = true;
         todo.push_back(other);
       }
   }
@@ -137,7 +164,7 @@ void LiveVariables::findLive(std::vector<Place>& all) {
 
 /// Adds to a path the cells that may be read after it. \return whether there are new ones
 bool LiveVariables::follow(const std::vector<Place>& all, Place& from, Way& way) {
-  limits.check();
+  limits->check();
   const Path& path = system.paths[way.path];
   Bits live = way.live;
   Bits later = path.writes;
@@ -157,14 +184,73 @@ bool LiveVariables::follow(const std::vector<Place>& all, Place& from, Way& way)
 
 void LiveVariables::clean(Word* state) const {
   key.resize(system.storedWords);
-  for (std::uint32_t i = 0; i < system.storedWords; ++i) key[i] = state[i] & keyMask[i];
-  if (key != lastKey) {
-    auto [id, isNew] = keys.add(key.data());
-    if (isNew) masks.push_back(maskOf(state));
-    last = id;
-    lastKey = key;
+  while (!isAllLive(state)) {
+    for (std::uint32_t i = 0; i < system.storedWords; ++i) key[i] = state[i] & keyMask[i];
+    if (key != lastKey) {
+      auto [id, isNew] = keys.add(key.data());
+      if (isNew) masks.push_back(liveMask(state));
+      last = id;
+      lastKey = key;
+    }
+    bool sameKey = true;
+    for (std::uint32_t i = 0; i < system.storedWords; ++i) {
+      state[i] &= masks[last][i];
+      sameKey = sameKey && (state[i] & keyMask[i]) == key[i];
+    }
+    if (sameKey) return;
   }
-  for (std::uint32_t i = 0; i < system.storedWords; ++i) state[i] &= masks[last][i];
+}
+
+namespace {
+
+bool isPartOf(const std::vector<Word>& some, const std::vector<Word>& of) {
+  for (std::size_t k = 0; k < some.size(); ++k)
+    if ((some[k] & ~of[k]) != 0) return false;
+  return true;
+}
+
+} // namespace
+
+/// Whether it is easy to see that no cell is dead: each instance may move sooner or later, and each
+/// cell is live for some instance.
+bool LiveVariables::isAllLive(const Word* state) const {
+  const std::uint32_t words = system.storedWords;
+  live = alwaysMask;
+  writes.assign(words, 0);
+  waiting.clear();
+  waitsFor.clear();
+  for (InstanceId i = 0; i < system.instances.size(); ++i) {
+    const auto location =
+        static_cast<std::size_t>(readCell(system, system.instances[i].location, state));
+    const Place& place = places[i][location];
+    for (std::uint32_t k = 0; k < words; ++k) live[k] |= place.surelyLive[k];
+    const std::size_t first = waitsFor.size();
+    for (std::size_t n = 0; n < place.needed.size(); ++n)
+      if (!holds(system, place.needed[n], state)) waitsFor.push_back(&place.neededCells[n]);
+    if (waitsFor.size() > first)
+      waiting.push_back({&place, first});
+    else
+      for (std::uint32_t k = 0; k < words; ++k) writes[k] |= place.writes[k];
+  }
+  return isPartOf(allMask, live) && mayAllMove();
+}
+
+/// Whether each instance that waits does so for cells that another may write that may move.
+bool LiveVariables::mayAllMove() const {
+  for (bool grew = true; grew;) {
+    grew = false;
+    for (std::size_t i = 0; i < waiting.size(); ++i) {
+      const auto end = i + 1 < waiting.size() ? waiting[i + 1].first : waitsFor.size();
+      const Place*& place = waiting[i].place;
+      const std::span cells(waitsFor.data() + waiting[i].first, waitsFor.data() + end);
+      if (!place || !std::ranges::all_of(cells, [&](auto* it) { return isPartOf(*it, writes); }))
+        continue;
+      for (std::size_t k = 0; k < writes.size(); ++k) writes[k] |= place->writes[k];
+      place = nullptr; // it may move
+      grew = true;
+    }
+  }
+  return std::ranges::all_of(waiting, [](const Waiting& it) { return !it.place; });
 }
 
 /// For each instance that can never move again, the cells that keep it from moving; empty for the
@@ -194,29 +280,24 @@ std::vector<Bits> LiveVariables::frozenNeeds(const Word* state) const {
   return needs;
 }
 
-std::vector<Word> LiveVariables::maskOf(const Word* state) const {
+std::vector<Word> LiveVariables::liveMask(const Word* state) const {
   const std::vector<Bits> needs = frozenNeeds(state);
-  Bits live = always;
+  Bits found = always;
   for (InstanceId i = 0; i < system.instances.size(); ++i) {
     auto location = static_cast<std::size_t>(readCell(system, system.instances[i].location, state));
     const Place& place = places[i][location];
     if (!needs[i].empty()) {
-      live |= needs[i];
+      found |= needs[i];
       continue;
     }
     for (const auto& way : place.ways) {
       Bits own = way.live;
       for (const auto& need : way.needs)
         if (!holds(system, need.condition, state)) own -= need.rewritten;
-      live |= own;
+      found |= own;
     }
   }
-  std::vector<Word> mask(system.storedWords);
-  live.each([&](CellId id) {
-    const Cell& cell = system.cells[id];
-    if (cell.word < system.storedWords) mask[cell.word] |= cell.mask;
-  });
-  return mask;
+  return maskOf(found);
 }
 
 } // namespace proskill::verify

@@ -17,8 +17,12 @@ public:
   /// \pre the system has a state layout \throw LimitMet
   LiveVariables(const System& system, const std::vector<Goal>& goals, const Bits& dropped,
                 LimitWatch& limits);
+  /// The same for another thread, with caches of its own. \pre `from` outlives it
+  LiveVariables(const LiveVariables& from, LimitWatch& watch) : LiveVariables(from) {
+    limits = &watch;
+  }
 
-  /// Sets the dead cells of a packed state to their lowest value.
+  /// Sets the dead cells of a packed state to their lowest value. A second call changes nothing.
   void clean(Word* state) const;
 
 private:
@@ -41,6 +45,10 @@ private:
     std::vector<Way> ways;
     Bits later;                 ///< cells that it may write, now or later
     std::vector<NodeId> needed; ///< conditions that all paths require
+    // the same as masks of packed states:
+    std::vector<Word> surelyLive; ///< live whatever the conditions, if the instance may move
+    std::vector<Word> writes;
+    std::vector<std::vector<Word>> neededCells;
   };
 
   using PathsOf = std::vector<std::vector<PathId>>; ///< by instance
@@ -49,12 +57,16 @@ private:
   void findWays(const PathsOf& paths, InstanceId instance);
   [[nodiscard]] Bits rewrittenFor(InstanceId instance, NodeId condition) const;
   void findLive(std::vector<Place>& all);
+  void findMasks(Place& place) const;
+  [[nodiscard]] std::vector<Word> maskOf(const Bits& cells) const;
+  [[nodiscard]] bool isAllLive(const Word* state) const;
+  [[nodiscard]] bool mayAllMove() const;
   bool follow(const std::vector<Place>& all, Place& from, Way& way);
-  [[nodiscard]] std::vector<Word> maskOf(const Word* state) const;
+  [[nodiscard]] std::vector<Word> liveMask(const Word* state) const;
   [[nodiscard]] std::vector<Bits> frozenNeeds(const Word* state) const;
 
   const System& system;
-  LimitWatch& limits;
+  LimitWatch* limits;
   Bits allCells;
   std::vector<std::vector<PathId>> writing; ///< by cell: paths that may be taken and write it
   std::vector<std::vector<Place>> places;   ///< by instance and location
@@ -62,6 +74,18 @@ private:
   Bits always;                                        ///< cells that goals read, and locations
   std::vector<Word>
       keyMask; ///< The part of a state that determines the dead cells: locations and needed cells.
+  std::vector<Word> allMask;    ///< of all cells
+  std::vector<Word> alwaysMask; ///< of `always`
+  mutable std::vector<Word> live;
+  mutable std::vector<Word> writes;
+  /// An instance that cannot move now, and how many of the first cells in `waitsFor` are not its
+  /// own.
+  struct Waiting {
+    const Place* place = nullptr;
+    std::size_t first = 0;
+  };
+  mutable std::vector<Waiting> waiting;
+  mutable std::vector<const std::vector<Word>*> waitsFor; ///< cells of conditions that are false
   mutable StateStore keys;
   mutable std::vector<std::vector<Word>> masks; ///< by key
   mutable std::vector<Word> key;

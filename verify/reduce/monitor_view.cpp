@@ -16,6 +16,20 @@ bool watchesStates(const Monitor& monitor, const System& system) {
          });
 }
 
+bool suits(const Monitor& monitor, Reduction reduction, const System& system) {
+  switch (reduction) {
+  case Reduction::DeadVariables: return monitor.ofPoints || watchesStates(monitor, system);
+  case Reduction::FreeInputs: return watchesPoints(monitor) || watchesStates(monitor, system);
+  case Reduction::StubbornSets: return watchesPoints(monitor);
+  case Reduction::PrivateMoves:
+  case Reduction::Slices: return false;
+  case Reduction::LiveVariables:
+  case Reduction::Inclusion:
+  case Reduction::Extrapolation: return true;
+  }
+  std::unreachable();
+}
+
 std::vector<Goal> goalsOf(const Monitor& monitor) {
   std::vector<Goal> all;
   const auto add = [&](NodeId condition) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "verify/model/goals.h"
+#include "verify/verify.h"
 
 namespace proskill::verify {
 
@@ -11,6 +12,9 @@ namespace proskill::verify {
 /// Whether adding or removing steps that change nothing the monitor reads does not affect whether
 /// it accepts a fair run: it reads states only, and time passes between the steps.
 [[nodiscard]] bool watchesStates(const Monitor& monitor, const System& system);
+
+/// Whether a reduction preserves everything that the monitor observes.
+[[nodiscard]] bool suits(const Monitor& monitor, Reduction reduction, const System& system);
 
 /// The conditions of a monitor as goals for the reductions.
 [[nodiscard]] std::vector<Goal> goalsOf(const Monitor& monitor);

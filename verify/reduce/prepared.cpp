@@ -4,6 +4,12 @@
 
 namespace proskill::verify {
 
+bool mayTake(Reduction reduction, const Options& options, const System& system) {
+  const bool withPriorities =
+      reduction == Reduction::Inclusion || reduction == Reduction::Extrapolation;
+  return options.reductions.contains(reduction) && (!system.hasPriorities || withPriorities);
+}
+
 Prepared::Prepared(const System& whole, const std::vector<Goal>& goals,
                    const std::function<bool(Reduction)>& takes, LimitWatch& limits)
     : relevance(takes(Reduction::DeadVariables) ? findRelevant(whole, goals, limits)

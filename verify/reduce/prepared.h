@@ -14,6 +14,10 @@
 
 namespace proskill::verify {
 
+/// Whether the options have a reduction, and it is sound for the system: with priorities most are
+/// not, since a step that is dropped or delayed might have priority over others.
+[[nodiscard]] bool mayTake(Reduction reduction, const Options& options, const System& system);
+
 /// A system, reduced for a search for some goals.
 struct Prepared {
   /// \param takes whether a reduction may be used \throw LimitMet

@@ -11,7 +11,7 @@ namespace proskill::verify {
 namespace {
 
 /// Limit of tested combinations of values of one process's inputs.
-constexpr std::size_t kMostChoices = 256;
+constexpr std::size_t kMostPrivateChoices = 256;
 
 using Transitions = std::vector<TransitionId>;
 
@@ -153,7 +153,7 @@ private:
                                 PartialTruth wanted) const {
     std::size_t choices = 1;
     for (auto v : own) choices *= inputs.all()[v].values.size();
-    if (choices > kMostChoices) return false;
+    if (choices > kMostPrivateChoices) return false;
     std::vector<Word> state = initialState(system);
     std::vector<Word> unknown(system.words, ~Word{0});
     const auto know = [&](CellId id) { unknown[system.cells[id].word] &= ~system.cells[id].mask; };

@@ -1,6 +1,7 @@
 #include "verify/reduce/recurrent_steps.h"
 
 #include "graph/components.h"
+#include "verify/model/nodes.h"
 #include "verify/reduce/path_facts.h"
 #include "verify/state/evaluate.h"
 #include "verify/state/partial_evaluation.h"
@@ -21,10 +22,23 @@ constexpr std::int64_t kMostValues = 4096;
 /// Values of a cell: a bit for each kind.
 using Values = Word;
 
+/// A transition whose guard limits the values of a cell.
+struct Reader {
+  TransitionId transition = 0;
+  Values allowed = 0; ///< the values with which the guard may be true
+};
+
+/// A part of a transition's guard that reads a cell.
+struct GuardPart {
+  TransitionId transition = 0;
+  NodeId condition = kNone; ///< kNone: the guard's bit tests
+};
+
 /// The values of a cell, in kinds with the same writers and readers.
 struct Kinds {
   std::vector<std::size_t> of; ///< by value, from the cell's lowest on
   std::size_t count = 0;
+  std::vector<Reader> readers; ///< whose guards are false for some values
 
   [[nodiscard]] Values all() const {
     return count == kMostKinds ? ~Values{0} : (Values{1} << count) - 1;
@@ -70,16 +84,31 @@ private:
 
   /// Finds the remaining transitions that use each cell and instance.
   void findUses() {
-    readers.resize(system.cells.size());
+    guardParts.resize(system.cells.size());
     writers.resize(system.cells.size());
     movers.resize(system.instances.size());
     eachIn(left, [&](TransitionId id) {
       const auto& transition = system.transitions[id];
-      transition.guardReads.each([&](CellId cell) { readers[cell].push_back(id); });
+      findGuardParts(id);
       transition.writes.each([&](CellId cell) { writers[cell].push_back(id); });
       for (auto part : transition.parts)
         movers[system.paths[part].instance].push_back(moveBy(id, system.paths[part]));
     });
+  }
+
+  void findGuardParts(TransitionId id) {
+    const auto& transition = system.transitions[id];
+    std::vector<Word> tested(system.words);
+    for (const auto& test : transition.tests) tested[test.word] |= test.mask;
+    transition.guardReads.each([&](CellId cell) {
+      if ((tested[system.cells[cell].word] & system.cells[cell].mask) != 0)
+        guardParts[cell].push_back({id});
+    });
+    for (auto node : transition.rest) {
+      const auto [entry, isNew] = readBy.try_emplace(node);
+      if (isNew) addReads(system, node, entry->second);
+      entry->second.each([&](CellId cell) { guardParts[cell].push_back({id, node}); });
+    }
   }
 
   /// A round over all variables that remaining transitions read. \return whether a transition was
@@ -116,8 +145,9 @@ private:
         erase(some, id);
         touch(id);
       };
-      for (auto id : readers[cell])
-        if (contains(left, id) && (allowedBy(id, cell, kinds) & values) == 0) takeOut(id);
+      for (const auto& reader : kinds.readers)
+        if (contains(left, reader.transition) && (reader.allowed & values) == 0)
+          takeOut(reader.transition);
       if (constant)
         for (auto id : writers[cell]) {
           if (!contains(some, id) || (writtenBy(id, cell, kinds) & values) != 0) continue;
@@ -173,11 +203,10 @@ private:
     const Cell& place = system.cells[cell];
     if (!isNew || place.high - place.low >= kMostValues) return made;
     const auto count = static_cast<std::size_t>(place.high - place.low + 1);
+    const Guards guards = guardsReading(cell);
     std::vector<std::vector<bool>> traits(count);
-    for (auto id : readers[cell]) {
-      const auto allows = allowing(id, cell);
+    for (const auto& [allows, transitions] : guards)
       for (std::size_t value = 0; value < count; ++value) traits[value].push_back(allows[value]);
-    }
     Bits constants;
     for (auto id : writers[cell])
       eachWritten(id, cell, [&](std::optional<std::size_t> value) {
@@ -190,7 +219,15 @@ private:
     std::map<std::vector<bool>, std::size_t> kinds;
     for (const auto& one : traits)
       made.of.push_back(kinds.try_emplace(one, kinds.size()).first->second);
-    made.count = kinds.size() > kMostKinds ? 0 : kinds.size();
+    if (kinds.size() > kMostKinds) return made;
+    made.count = kinds.size();
+    for (const auto& [allows, transitions] : guards) {
+      Values allowed = 0;
+      for (std::size_t value = 0; value < count; ++value)
+        if (allows[value]) allowed |= Values{1} << made.of[value];
+      if (allowed == made.all()) continue;
+      for (auto id : transitions) made.readers.push_back({id, allowed});
+    }
     return made;
   }
 
@@ -212,28 +249,65 @@ private:
     return ends;
   }
 
-  /// The values of the cell for which the transition's guard may be true.
-  [[nodiscard]] Values allowedBy(TransitionId id, CellId cell, const Kinds& kinds) {
-    const auto [entry, isNew] = allowed.try_emplace({id, cell}, 0);
-    if (!isNew) return entry->second;
-    const auto allows = allowing(id, cell);
+  /// By value of a cell: whether something may be true.
+  using Allows = std::vector<bool>;
+  /// Transitions, by what their guards allow.
+  using Guards = std::map<Allows, std::vector<TransitionId>>;
+
+  /// What the guards that read the cell allow. Only the parts that read it are evaluated, since
+  /// large programs have many guards of many parts.
+  [[nodiscard]] Guards guardsReading(CellId cell) {
+    Guards guards;
+    std::map<NodeId, Allows> conditions;
+    const auto& parts = guardParts[cell];
+    for (auto part = parts.begin(); part != parts.end();) {
+      limits.check();
+      const TransitionId id = part->transition;
+      Allows allows;
+      for (; part != parts.end() && part->transition == id; ++part)
+        restrict(allows, part->condition == kNone ? allowedByTests(id, cell)
+                                                  : allowedBy(part->condition, cell, conditions));
+      guards[std::move(allows)].push_back(id);
+    }
+    return guards;
+  }
+
+  /// \param allows empty: all values
+  static void restrict(Allows& allows, const Allows& more) {
+    if (allows.empty()) {
+      allows = more;
+      return;
+    }
     for (std::size_t value = 0; value < allows.size(); ++value)
-      if (allows[value]) entry->second |= Values{1} << kinds.of[value];
+      allows[value] = allows[value] && more[value];
+  }
+
+  [[nodiscard]] Allows allowedByTests(TransitionId id, CellId cell) {
+    return forEachValue(cell, [&](const PartialState& at, BitField& undecided) {
+      return evaluation.tests(system, system.transitions[id], at, undecided);
+    });
+  }
+
+  /// \param known the conditions that were evaluated before
+  [[nodiscard]] const Allows& allowedBy(NodeId node, CellId cell, std::map<NodeId, Allows>& known) {
+    const auto [entry, isNew] = known.try_emplace(node);
+    if (isNew)
+      entry->second = forEachValue(cell, [&](const PartialState& at, BitField& undecided) {
+        return evaluation.condition(system, node, at, undecided);
+      });
     return entry->second;
   }
 
-  /// By value of the cell: whether the transition's guard may be true.
-  [[nodiscard]] std::vector<bool> allowing(TransitionId id, CellId cell) {
+  /// Whether `truth` may be true in the states in which only this cell is known.
+  template <class Truth> [[nodiscard]] Allows forEachValue(CellId cell, Truth truth) {
     const Cell& place = system.cells[cell];
-    std::vector<bool> allows;
-    limits.check();
+    Allows allows;
     unknown[place.word] &= ~place.mask;
     for (std::int64_t value = place.low; value <= place.high; ++value) {
       writeCell(system, cell, value, anywhere.data());
       BitField undecided;
-      const auto truth = evaluation.guard(system, system.transitions[id],
-                                          {anywhere.data(), unknown.data()}, undecided);
-      allows.push_back(truth != PartialTruth::False);
+      const PartialState at{anywhere.data(), unknown.data()};
+      allows.push_back(truth(at, undecided) != PartialTruth::False);
     }
     unknown[place.word] |= place.mask;
     return allows;
@@ -304,16 +378,16 @@ private:
   LimitWatch& limits;
   PartialEvaluation evaluation;
   TransitionSet left;
-  TransitionSet kept; ///< whether they are possible is known only when they are taken
-  Bits locations;     ///< cells
-  std::vector<std::vector<TransitionId>> readers; ///< by cell: guards
+  TransitionSet kept;            ///< whether they are possible is known only when they are taken
+  Bits locations;                ///< cells
+  std::map<NodeId, Bits> readBy; ///< the cells that a condition reads
+  std::vector<std::vector<GuardPart>> guardParts; ///< by cell, in the order of transitions
   std::vector<std::vector<TransitionId>> writers; ///< by cell
   std::vector<std::vector<Move>> movers;          ///< by instance
   std::vector<Word> anywhere;                     ///< a state of which only one cell is read
   std::vector<Word> unknown;                      ///< the bits of the other cells
   std::map<CellId, Kinds> kindsOfCell;
   std::map<PathId, std::map<std::uint32_t, Bits>> sure;
-  std::map<std::pair<TransitionId, CellId>, Values> allowed;
 };
 
 } // namespace

@@ -70,7 +70,7 @@ struct StubbornSets::Touching {
 
 StubbornSets::StubbornSets(const System& of, const std::vector<Goal>& goals, const Bits& dropped,
                            LimitWatch& watch)
-    : system(of), limits(watch), none((of.transitions.size() + 63) / 64) {
+    : system(of), limits(&watch), none((of.transitions.size() + 63) / 64) {
   const Touching touching(system, dropped);
   findDependence(touching, dropped);
   findNeeds(touching, dropped);
@@ -83,7 +83,7 @@ void StubbornSets::findDependence(const Touching& touching, const Bits& dropped)
   for (TransitionId i = 0; i < system.transitions.size(); ++i) {
     const auto& transition = system.transitions[i];
     if (!transition.urgent || dropped.contains(i)) continue;
-    limits.check();
+    limits->check();
     TransitionSet& found = dependent[i] = none;
     const auto add = [&](const Touching::Transitions& all) {
       for (auto other : all) insert(found, other);
@@ -103,7 +103,7 @@ void StubbornSets::findDependence(const Touching& touching, const Bits& dropped)
 const TransitionSet& StubbornSets::helpersOf(const Touching& touching, NodeId node) {
   auto [entry, isNew] = helpers.try_emplace(node, none);
   if (!isNew) return entry->second;
-  limits.check();
+  limits->check();
   Bits cells;
   addReads(system, node, cells);
   cells.each([&](CellId cell) {
@@ -118,7 +118,7 @@ const TransitionSet& StubbornSets::helpersOf(const Touching& touching, NodeId no
 
 void StubbornSets::findNeeds(const Touching& touching, const Bits& dropped) {
   for (TransitionId i = 0; i < system.transitions.size(); ++i) {
-    limits.check();
+    limits->check();
     const auto& transition = system.transitions[i];
     auto& made = needs.emplace_back();
     made.locations = placesOf(system, transition);
@@ -201,7 +201,7 @@ void StubbornSets::findCandidates(const Touching& touching, const std::vector<Go
     const auto& transition = system.transitions[i];
     if (!transition.urgent || dropped.contains(i) || transition.writes.meets(visibleCells))
       continue;
-    limits.check();
+    limits->check();
     bool seen = mayPass(system, transition, visibleEvents);
     for (auto part : transition.parts) seen = seen || system.paths[part].mayFail;
     const Bits writes = dataWrites(system, transition);
@@ -221,7 +221,7 @@ void StubbornSets::findCandidates(const Touching& touching, const std::vector<Go
 TransitionId StubbornSets::pick(const Word* state, const TransitionSet& enabled) const {
   for (std::size_t k = 0; k < enabled.size(); ++k) {
     for (Word rest = enabled[k] & candidates[k]; rest != 0; rest &= rest - 1) {
-      limits.check();
+      limits->check();
       auto id =
           static_cast<TransitionId>(k * 64 + static_cast<std::size_t>(std::countr_zero(rest)));
       if (isStubbornAlone(id, state, enabled)) return id;

@@ -19,6 +19,10 @@ public:
   /// \throw LimitMet
   StubbornSets(const System& system, const std::vector<Goal>& goals, const Bits& dropped,
                LimitWatch& limits);
+  /// The same for another thread, with caches of its own. \pre `from` outlives it
+  StubbornSets(const StubbornSets& from, LimitWatch& watch) : StubbornSets(from) {
+    limits = &watch;
+  }
 
   /// A transition that may be fired alone in this state; kNone if there is none.
   /// \throw LimitMet
@@ -57,7 +61,7 @@ private:
                                                const TransitionSet& stubborn) const;
 
   const System& system;
-  LimitWatch& limits;
+  LimitWatch* limits;
   TransitionSet none;
   TransitionSet candidates;             ///< transitions that may be safe in some state
   std::vector<TransitionSet> dependent; ///< by candidate: the transitions that depend on it

@@ -1,6 +1,7 @@
 #include "verify/slice/instant_waits.h"
 
 #include "verify/model/nodes.h"
+#include "verify/model/value_bounds.h"
 #include "verify/reduce/path_facts.h"
 #include "verify/state/evaluate.h"
 
@@ -94,6 +95,23 @@ bool InstantWaits::isInstant(NodeId condition) {
   }
   std::ranges::for_each(cells, [&](CellId cell) { forget(cell); });
   return entry->second = all;
+}
+
+bool InstantWaits::holdsAt(NodeId condition, InstanceId instance, std::uint32_t location) {
+  Bits read;
+  addReads(system, condition, read);
+  if (read.count() != 1 || mayFail(system, condition)) return false;
+  CellId cell = 0;
+  read.each([&](CellId only) { cell = only; });
+  if (writer[cell] != instance) return false;
+  const auto& values = valuesAt(cell);
+  if (values.empty()) return false;
+  const bool all = std::ranges::all_of(values[location], [&](std::int64_t value) {
+    set(cell, value);
+    return holds(system, condition, state.data());
+  });
+  forget(cell);
+  return all;
 }
 
 /// Whether an urgent transition is possible for these values of the cells: one of the same

@@ -20,6 +20,9 @@ public:
   /// Whether some urgent transition is possible in each reachable state in which the condition is
   /// false. Conservative: may return false although it is so. \throw LimitMet
   [[nodiscard]] bool isInstant(NodeId condition);
+  /// Whether the condition is true while the instance is at the location. Conservative: it must
+  /// read one cell only, which no other instance writes. \throw LimitMet
+  [[nodiscard]] bool holdsAt(NodeId condition, InstanceId instance, std::uint32_t location);
 
 private:
   using CellValues = std::set<std::int64_t>;

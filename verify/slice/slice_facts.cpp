@@ -144,6 +144,8 @@ SliceFacts::SliceFacts(System& system, LimitWatch& limits)
     for (auto part : system.transitions[i].parts) {
       facts.ownLocations.insert(system.instances[system.paths[part].instance].location);
       paths[part].transitions.push_back(i);
+      if (system.transitions[i].urgent || system.transitions[i].clock != kNone)
+        timed.insert(system.paths[part].instance);
     }
   }
   for (PathId i = 0; i < paths.size(); ++i)

@@ -50,6 +50,7 @@ struct SliceFacts {
   std::vector<std::vector<PathId>> pathsOf; ///< by instance
   std::vector<Bits> writers;                ///< by cell: instances
   Bits moving;                              ///< instances with several locations
+  Bits timed;                               ///< instances with clocks, or with urgent steps
 };
 
 } // namespace proskill::verify

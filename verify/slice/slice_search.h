@@ -1,5 +1,6 @@
 #pragma once
 
+#include "verify/answer_store.h"
 #include "verify/explore/search.h"
 #include "verify/slice/slicer.h"
 #include "verify/verify.h"
@@ -23,33 +24,54 @@ public:
   /// \param takes whether a reduction may be used
   /// \pre the arguments outlive this
   /// \throw LimitMet
+  /// \param store keeps what never happens in slices; may be null
   SliceSearch(const System& system, const System& whole, const fiacre::Provenance& provenance,
-              Takes takes, LimitWatch& limits);
+              Takes takes, LimitWatch& limits, AnswerStore* store = nullptr);
 
   /// \param open the goals to decide, by index
+  /// \param most size of all explorations together, the smallest parts first
   /// \param statistics counts the explorations
   /// \return those that were decided
   /// \throw LimitMet
   [[nodiscard]] Bits decide(const std::vector<Goal>& goals, const std::vector<std::size_t>& open,
-                            Exploration& statistics, const OnDecided& onDecided);
+                            const SearchSize& most, Exploration& statistics,
+                            const OnDecided& onDecided);
+  /// Whether a larger size might have decided more.
+  [[nodiscard]] bool wasCutShort() const { return isCutShort; }
 
 private:
   struct Group {
     Bits cone;
-    std::vector<std::size_t> goals; ///< by index
+    std::vector<std::size_t> goals; ///< by index; the slice is made for them
+    std::vector<std::size_t> open;  ///< those of them that are to be decided
   };
 
   [[nodiscard]] std::vector<Group> groupsOf(const std::vector<Goal>& goals,
                                             const std::vector<std::size_t>& open);
+  [[nodiscard]] std::vector<std::size_t> grouped(const std::vector<Goal>& goals,
+                                                 const std::vector<std::size_t>& open) const;
+  [[nodiscard]] std::vector<std::size_t> withoutKnown(const Group& group, const Slice& slice,
+                                                      const std::vector<Goal>& goals,
+                                                      const OnDecided& onDecided, Bits& decided);
   void explore(const Group& group, const std::vector<Goal>& goals, Exploration& statistics,
                const OnDecided& onDecided, Bits& decided);
+  void count(const SearchResult& found, Exploration& statistics);
+  [[nodiscard]] bool isNever(const Slice& slice, const Goal& goal, Exploration& statistics);
+  [[nodiscard]] bool neverDeadlocks(Exploration& statistics);
+  [[nodiscard]] bool neverStopsTime(Exploration& statistics);
 
   const System& whole;
   const fiacre::Provenance& provenance;
   Takes takes;
   LimitWatch& limits;
+  AnswerStore* store;
   Slicer slicer;
+  SearchSize left; ///< of all explorations that follow
+  bool isCutShort = false;
 };
+
+/// Whether a part is small enough to be explored on its own: not almost all of the system.
+[[nodiscard]] bool isSmallPart(const Bits& cone, const Bits& all);
 
 /// Whether a simple argument shows, without a search, that the goal is never reached.
 /// \param whole with every cell kept, and without priorities

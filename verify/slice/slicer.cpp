@@ -1,5 +1,6 @@
 #include "verify/slice/slicer.h"
 
+#include "verify/model/value_bounds.h"
 #include "verify/reduce/path_facts.h"
 #include "verify/state/state_layout.h"
 
@@ -9,10 +10,21 @@
 
 namespace proskill::verify {
 
+namespace {
+
+System withoutSteps(System system) {
+  system.paths.clear();
+  system.transitions.clear();
+  return system;
+}
+
+} // namespace
+
 Slicer::Slicer(const System& system, LimitWatch& watch)
     : base(system),
       limits(watch),
       facts(base, watch),
+      shell(withoutSteps(base)),
       laidOut(withStateLayout(base)),
       waits(laidOut, watch) {}
 
@@ -24,6 +36,9 @@ bool Slicer::canDecide(const Goal& goal) {
   case GoalKind::Deadlock:
   case GoalKind::Stuck:
   case GoalKind::Run:
+  case GoalKind::Lost:
+  case GoalKind::Longest:
+  case GoalKind::Shortest:
   case GoalKind::Unsupported: return false;
   }
   std::unreachable();
@@ -32,10 +47,18 @@ bool Slicer::canDecide(const Goal& goal) {
 /// Whether no time passes while the condition is false. Includes conditions on values that may not
 /// exist.
 bool Slicer::isInstant(ConjunctId id) {
-  const Conjunct& conjunct = facts.conjuncts[id];
-  return !mayFail(base, conjunct.whole.node) &&
-         std::ranges::all_of(conjunct.parts,
-                             [&](const Condition& part) { return waits.isInstant(part.node); });
+  const auto [entry, isNew] = instants.try_emplace(id, false);
+  if (isNew) entry->second = !mayFail(base, facts.conjuncts[id].whole.node) && lasting(id).empty();
+  return entry->second;
+}
+
+std::vector<const Condition*> Slicer::lasting(ConjunctId id) {
+  std::vector<const Condition*> found;
+  const auto known = instants.find(id);
+  if (known != instants.end() && known->second) return found;
+  for (const auto& part : facts.conjuncts[id].parts)
+    if (!waits.isInstant(part.node)) found.push_back(&part);
+  return found;
 }
 
 // --- Relevance
@@ -47,15 +70,15 @@ std::size_t Slicer::Cone::size() const {
   return total;
 }
 
-Bits Slicer::cone(const Goals& goals) {
-  Bits found = coneOf(goals).instances;
+Bits Slicer::cone(const SliceSeeds& seeds) {
+  Bits found = instances(seeds);
   found &= facts.moving;
   return found;
 }
 
-Slicer::Cone Slicer::coneOf(const Goals& goals) {
+Slicer::Cone Slicer::coneOf(const SliceSeeds& seeds) {
   Cone cone;
-  begin(goals, cone);
+  begin(seeds, cone);
   for (std::size_t before = 0; before != cone.size();) {
     before = cone.size();
     grow(cone);
@@ -63,17 +86,21 @@ Slicer::Cone Slicer::coneOf(const Goals& goals) {
   return cone;
 }
 
-void Slicer::begin(const Goals& goals, Cone& cone) const {
+void Slicer::begin(const SliceSeeds& seeds, Cone& cone) const {
   cone.reader.assign(base.cells.size(), kNone);
+  cone.loose = seeds.loose;
+  cone.isExact = !seeds.steps.empty();
+  seeds.steps.each([&](TransitionId id) { observe(id, cone); });
   Bits events;
   bool ofErrors = false;
-  for (const auto* goal : goals) {
+  for (const auto* goal : seeds.goals) {
     addReads(base, goal->condition, cone.shared);
     addEvents(base, goal->condition, events);
     events |= goal->events;
     ofErrors = ofErrors || goal->kind == GoalKind::Error;
   }
   cone.cells = cone.shared;
+  if (events.empty() && !ofErrors) return;
   for (TransitionId i = 0; i < base.transitions.size(); ++i)
     if (mayPass(base, base.transitions[i], events) || (ofErrors && mayBeAnError(base, i)))
       observe(i, cone);
@@ -126,7 +153,10 @@ bool Slicer::writesWhatMatters(PathId id, const Cone& cone) const {
 /// relevant, and those that make that impossible.
 void Slicer::sortPaths(InstanceId instance, Cone& cone) const {
   std::vector<bool> leads(base.instances[instance].locations.size());
+  const bool allMatter =
+      cone.isExact && (facts.moving.contains(instance) || facts.timed.contains(instance));
   const auto matters = [&](PathId id) {
+    if (allMatter) return true;
     const auto leadsOn = [&](auto to) { return to != base.paths[id].location && leads[to]; };
     return cone.observed.contains(id) || writesWhatMatters(id, cone) ||
            std::ranges::any_of(facts.paths[id].targets, leadsOn);
@@ -160,12 +190,21 @@ void Slicer::needGuard(TransitionId id, Cone& cone) {
   if (isPlain && !cone.relevant.contains(transition.parts.front())) return;
   for (auto conjunct : facts.transitions[id].guard) {
     const Bits& cells = facts.conjuncts[conjunct].whole.cells;
-    if (cells.isWithin(facts.transitions[id].ownLocations)) continue;
+    if (cells.isWithin(facts.transitions[id].ownLocations) || isLoose(id, cone)) continue;
     if (isPlain && isInstant(conjunct))
       cone.instant.insert(conjunct);
     else
       for (auto part : transition.parts) need(cells, base.paths[part].instance, cone);
   }
+}
+
+/// Whether the conditions of the transition do not matter.
+bool Slicer::isLoose(TransitionId id, const Cone& cone) const {
+  const Transition& transition = base.transitions[id];
+  return transition.clock == kNone && !transition.fails &&
+         std::ranges::all_of(transition.parts, [&](PathId part) {
+           return cone.loose.contains(base.paths[part].instance);
+         });
 }
 
 void Slicer::needCode(PathId id, Cone& cone) const {
@@ -211,12 +250,11 @@ NodeId Slicer::guardWithin(const std::vector<ConjunctId>& guard, const Bits& kno
   return made;
 }
 
-Slice Slicer::slice(const Goals& goals) {
-  const Cone cone = coneOf(goals);
-  Slice made{base, {}, {}};
+Slice Slicer::slice(const SliceSeeds& seeds) {
+  const Cone cone = coneOf(seeds);
+  shell.nodes = base.nodes;
+  Slice made{shell, {}, {}};
   System& system = made.system;
-  system.paths.clear();
-  system.transitions.clear();
   Nodes nodes(system);
   std::map<PathId, PathId> numbers;
   for (TransitionId id = 0; id < base.transitions.size(); ++id) {
@@ -230,8 +268,8 @@ Slice Slicer::slice(const Goals& goals) {
     const auto isExact = [&](ConjunctId conjunct) {
       return facts.conjuncts[conjunct].whole.cells.isWithin(known) || isInstant(conjunct);
     };
-    const bool isRelevant = cone.relevant.contains(transition.parts.front());
-    if (!isRelevant && transition.urgent && !std::ranges::all_of(guard, isExact)) {
+    const bool mayBeLate = !cone.relevant.contains(transition.parts.front()) || isLoose(id, cone);
+    if (mayBeLate && transition.urgent && !std::ranges::all_of(guard, isExact)) {
       made.late.insert(static_cast<std::uint32_t>(made.original.size()));
       transition.urgent = false;
       transition.interval = {};

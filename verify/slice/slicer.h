@@ -6,6 +6,7 @@
 #include "verify/slice/instant_waits.h"
 #include "verify/slice/slice_facts.h"
 
+#include <map>
 #include <vector>
 
 namespace proskill::verify {
@@ -19,28 +20,48 @@ struct Slice {
   Bits late;                          ///< transitions that are urgent in the whole only
 };
 
+/// What a slice is for.
+struct SliceSeeds {
+  std::vector<const Goal*> goals; ///< that ask for reachable states or steps
+  /// Transitions whose order and dates are to be exact, with everything that influences them.
+  Bits steps;
+  /// Instances whose urgent steps may be taken at any time, whatever other instances do. The slice
+  /// then has more runs, and is smaller.
+  Bits loose;
+};
+
 /// Cuts a system into slices. Weiser, "Program slicing", TSE 1984; docs/verification.md explains
 /// why no run of the whole is lost.
 class Slicer {
 public:
-  using Goals = std::vector<const Goal*>;
-
   /// \param system without a state layout, and without priorities \throw LimitMet
   Slicer(const System& system, LimitWatch& limits);
 
   /// Whether a slice can answer it: the goal asks for reachable states or steps.
   [[nodiscard]] static bool canDecide(const Goal& goal);
-  /// The instances with several locations that influence whether one of the goals is reached.
-  /// \throw LimitMet
-  [[nodiscard]] Bits cone(const Goals& goals);
+  /// The instances that influence what the slice is for. \throw LimitMet
+  [[nodiscard]] Bits instances(const SliceSeeds& seeds) { return coneOf(seeds).instances; }
+  /// Those of them with several locations. \throw LimitMet
+  [[nodiscard]] Bits cone(const SliceSeeds& seeds);
   /// All instances with several locations.
   [[nodiscard]] const Bits& moving() const { return facts.moving; }
   /// \throw LimitMet
-  [[nodiscard]] Slice slice(const Goals& goals);
+  [[nodiscard]] Slice slice(const SliceSeeds& seeds);
+
+  /// The system that is cut. Nodes may be added to it.
+  [[nodiscard]] System& system() { return base; }
+  [[nodiscard]] const SliceFacts& known() const { return facts; }
+  [[nodiscard]] InstantWaits& instantWaits() { return waits; }
+  /// Whether no time passes while the conjunct is false. \throw LimitMet
+  [[nodiscard]] bool isInstant(ConjunctId conjunct);
+  /// The parts of a conjunct during which time may pass while they are false. \throw LimitMet
+  [[nodiscard]] std::vector<const Condition*> lasting(ConjunctId conjunct);
 
 private:
   /// Dependencies of a slice. All sets only grow.
   struct Cone {
+    Bits loose;
+    bool isExact = false; ///< all steps of an instance with several locations or clocks matter
     Bits instances;
     Bits cells;  ///< whose values are relevant; locations only if other instances read them
     Bits shared; ///< those read by several instances, or by a goal
@@ -55,8 +76,8 @@ private:
     [[nodiscard]] std::size_t size() const;
   };
 
-  [[nodiscard]] Cone coneOf(const Goals& goals);
-  void begin(const Goals& goals, Cone& cone) const;
+  [[nodiscard]] Cone coneOf(const SliceSeeds& seeds);
+  void begin(const SliceSeeds& seeds, Cone& cone) const;
   void observe(TransitionId id, Cone& cone) const;
   void grow(Cone& cone);
   void sortPaths(InstanceId instance, Cone& cone) const;
@@ -64,7 +85,7 @@ private:
   void needCode(PathId id, Cone& cone) const;
   void needInstants(Cone& cone) const;
   static void need(const Bits& cells, InstanceId reader, Cone& cone);
-  [[nodiscard]] bool isInstant(ConjunctId conjunct);
+  [[nodiscard]] bool isLoose(TransitionId id, const Cone& cone) const;
   [[nodiscard]] bool writesWhatMatters(PathId id, const Cone& cone) const;
   [[nodiscard]] NodeId guardWithin(const std::vector<ConjunctId>& guard, const Bits& known,
                                    Nodes& nodes) const;
@@ -72,8 +93,10 @@ private:
   System base;
   LimitWatch& limits;
   SliceFacts facts; ///< of base
+  System shell;     ///< base without paths and transitions
   System laidOut;
   InstantWaits waits; ///< of laidOut
+  std::map<ConjunctId, bool> instants;
 };
 
 } // namespace proskill::verify

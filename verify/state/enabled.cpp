@@ -2,9 +2,18 @@
 
 #include "verify/state/evaluate.h"
 
+#include <algorithm>
+#include <bit>
 #include <utility>
 
 namespace proskill::verify {
+
+namespace {
+
+/// With fewer transitions from a location it is faster to evaluate each of them.
+constexpr std::size_t kMany = 64;
+
+} // namespace
 
 Enabling::Enabling(const System& of, const Bits& dropped) : system(of) {
   urgent = clocked = TransitionSet((system.transitions.size() + 63) / 64);
@@ -13,8 +22,43 @@ Enabling::Enabling(const System& of, const Bits& dropped) : system(of) {
     if (system.transitions[i].urgent) insert(urgent, i);
     if (system.transitions[i].clock != kNone) insert(clocked, i);
   }
+  findGuards();
   findPlaces(dropped);
   findAffected(dropped);
+  findCrowds();
+}
+
+void Enabling::findGuards() {
+  for (const auto& transition : system.transitions) {
+    Guard& guard = guards.emplace_back();
+    guard.first = static_cast<std::uint32_t>(tests.size());
+    tests.insert(tests.end(), transition.tests.begin(), transition.tests.end());
+    guard.last = static_cast<std::uint32_t>(tests.size());
+    guard.isWhole = transition.rest.empty() && !transition.tentative;
+  }
+}
+
+void Enabling::findCrowds() {
+  constexpr std::size_t kMostWords = 1'000'000;
+  std::size_t most = 0;
+  std::size_t locations = 0;
+  for (const auto& all : takingPart) {
+    locations += all.size();
+    for (const auto& here : all) most = std::max(most, here.size());
+  }
+  if (most < kMany || locations * urgent.size() > kMostWords) return;
+  for (const auto& all : takingPart) {
+    auto& crowd = crowds.emplace_back(all.size(), TransitionSet(urgent.size()));
+    TransitionSet others(urgent.size(), ~Word{0}); // those in which the instance takes no part
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (auto transition : all[i]) {
+        insert(crowd[i], transition);
+        erase(others, transition);
+      }
+    auto& here = possible.emplace_back(all.size(), others);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (std::size_t k = 0; k < others.size(); ++k) here[i][k] |= crowd[i][k];
+  }
 }
 
 void Enabling::findPlaces(const Bits& dropped) {
@@ -53,8 +97,15 @@ void Enabling::findAffected(const Bits& dropped) {
   }
 }
 
+bool Enabling::isPossible(TransitionId transition, const Word* state) const {
+  const Guard& guard = guards[transition];
+  for (auto i = guard.first; i < guard.last; ++i)
+    if (((state[tests[i].word] & tests[i].mask) == tests[i].value) != tests[i].equal) return false;
+  return guard.isWhole || isEnabled(system, transition, state);
+}
+
 void Enabling::look(TransitionId transition, const Word* state, TransitionSet& enabled) const {
-  if (isEnabled(system, transition, state))
+  if (isPossible(transition, state))
     insert(enabled, transition);
   else
     erase(enabled, transition);
@@ -62,9 +113,40 @@ void Enabling::look(TransitionId transition, const Word* state, TransitionSet& e
 
 void Enabling::compute(const Word* state, TransitionSet& enabled) const {
   enabled.assign(urgent.size(), 0);
-  for (InstanceId i = 0; i < system.instances.size(); ++i)
-    for (auto transition : starting[i][locationOf(i, state)])
-      if (isEnabled(system, transition, state)) insert(enabled, transition);
+  for (InstanceId i = 0; i < system.instances.size(); ++i) {
+    const std::size_t location = locationOf(i, state);
+    if (isCrowded(i, location)) {
+      lookAtPlace(i, state, enabled);
+      continue;
+    }
+    for (auto transition : starting[i][location])
+      if (isPossible(transition, state)) insert(enabled, transition);
+  }
+}
+
+bool Enabling::isCrowded(InstanceId instance, std::size_t location) const {
+  return !crowds.empty() && takingPart[instance][location].size() >= kMany;
+}
+
+/// Evaluates the transitions in which an instance takes part from where it is.
+void Enabling::lookAtPlace(InstanceId instance, const Word* state, TransitionSet& enabled) const {
+  const std::size_t location = locationOf(instance, state);
+  if (!isCrowded(instance, location)) {
+    for (auto transition : takingPart[instance][location]) look(transition, state, enabled);
+    return;
+  }
+  const TransitionSet& crowd = crowds[instance][location];
+  for (std::size_t k = 0; k < crowd.size(); ++k) {
+    if (crowd[k] == 0) continue;
+    enabled[k] &= ~crowd[k];
+    Word rest = crowd[k];
+    for (InstanceId i = 0; i < system.instances.size() && rest != 0; ++i)
+      rest &= possible[i][locationOf(i, state)][k];
+    for (; rest != 0; rest &= rest - 1) {
+      const auto transition = static_cast<TransitionId>(k * 64 + std::countr_zero(rest));
+      if (isPossible(transition, state)) insert(enabled, transition);
+    }
+  }
 }
 
 void Enabling::refresh(const TransitionSet& changed, const Word* state,
@@ -75,13 +157,14 @@ void Enabling::refresh(const TransitionSet& changed, const Word* state,
 void Enabling::update(TransitionId fired, const Word* state, TransitionSet& enabled) const {
   for (auto part : system.transitions[fired].parts) {
     const Path& path = system.paths[part];
-    for (auto transition : takingPart[path.instance][path.location]) erase(enabled, transition);
+    if (!isCrowded(path.instance, path.location))
+      for (auto transition : takingPart[path.instance][path.location]) erase(enabled, transition);
+    else
+      for (std::size_t k = 0; k < enabled.size(); ++k)
+        enabled[k] &= ~crowds[path.instance][path.location][k];
   }
-  for (auto part : system.transitions[fired].parts) {
-    const InstanceId instance = system.paths[part].instance;
-    for (auto transition : takingPart[instance][locationOf(instance, state)])
-      look(transition, state, enabled);
-  }
+  for (auto part : system.transitions[fired].parts)
+    lookAtPlace(system.paths[part].instance, state, enabled);
   for (const auto& slice : affected[fired])
     for (Word rest = slice.bits; rest != 0; rest &= rest - 1)
       look(slice.word * 64 + static_cast<TransitionId>(std::countr_zero(rest)), state, enabled);

@@ -41,12 +41,27 @@ private:
     Word bits = 0;
   };
 
+  void findGuards();
   void findPlaces(const Bits& dropped);
   void findAffected(const Bits& dropped);
+  void findCrowds();
+  [[nodiscard]] bool isPossible(TransitionId transition, const Word* state) const;
   void look(TransitionId transition, const Word* state, TransitionSet& enabled) const;
+  /// Whether many transitions start from a location.
+  [[nodiscard]] bool isCrowded(InstanceId instance, std::size_t location) const;
+  void lookAtPlace(InstanceId instance, const Word* state, TransitionSet& enabled) const;
   [[nodiscard]] std::size_t locationOf(InstanceId instance, const Word* state) const;
 
+  /// The bit tests of a guard, in `tests`.
+  struct Guard {
+    std::uint32_t first = 0;
+    std::uint32_t last = 0;
+    bool isWhole = false; ///< the guard has no other condition
+  };
+
   const System& system;
+  std::vector<Guard> guards; ///< by transition
+  std::vector<BitTest> tests;
   TransitionSet urgent;
   TransitionSet clocked;
   /// By transition: the transitions whose guards read what it writes, except locations of its own
@@ -55,6 +70,12 @@ private:
   using ByPlace = std::vector<std::vector<std::vector<TransitionId>>>; ///< by instance and location
   ByPlace takingPart; ///< transitions with a part in this location
   ByPlace starting;   ///< those whose first part is in this location
+  /// By instance and location: the transitions in which the instance takes part from there, and
+  /// those of which all or none of the parts of the instance are there. Many transitions of one
+  /// location, as a synchronisation of many processes has, are tried 64 at a time. Empty if no
+  /// location has many.
+  std::vector<std::vector<TransitionSet>> crowds;
+  std::vector<std::vector<TransitionSet>> possible;
 };
 
 } // namespace proskill::verify

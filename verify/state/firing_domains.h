@@ -24,6 +24,12 @@ public:
     return memo.get({domain, before, transition, after},
                     [&] { return calculate(domain, before, transition, after); });
   }
+  [[nodiscard]] const ZoneStore& zones() const { return store; }
+  [[nodiscard]] ZoneId adopt(const Dbm& domain) { return store.add(domain); }
+  /// The dimension of the domains of a signature.
+  [[nodiscard]] std::size_t dimensionOf(std::uint32_t signature) const {
+    return signatures[signature].delays.size() + 1;
+  }
   [[nodiscard]] std::uint64_t bytes() const { return store.bytes() + memo.bytes(); }
 
 private:

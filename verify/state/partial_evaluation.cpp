@@ -1,6 +1,6 @@
 #include "verify/state/partial_evaluation.h"
 
-#include "verify/model/nodes.h"
+#include "verify/model/value_bounds.h"
 #include "verify/state/evaluate.h"
 
 #include <optional>
@@ -172,7 +172,7 @@ PartialEvaluation::PartialEvaluation(const System& system) : opaque(system.nodes
     for (auto node : transition.rest) opaque[node] = isOpaque(system, node);
 }
 
-PartialTruth PartialEvaluation::guard(const System& system, const Transition& transition,
+PartialTruth PartialEvaluation::tests(const System& system, const Transition& transition,
                                       const PartialState& at, BitField& undecided) const {
   Reading reading(system, at, undecided);
   auto result = PartialTruth::True;
@@ -181,10 +181,24 @@ PartialTruth PartialEvaluation::guard(const System& system, const Transition& tr
     if (met && (*met != 0) != test.equal) return PartialTruth::False;
     if (!met) result = PartialTruth::Unknown;
   }
+  return result;
+}
+
+PartialTruth PartialEvaluation::condition(const System& system, NodeId node, const PartialState& at,
+                                          BitField& undecided) const {
+  Reading reading(system, at, undecided);
+  const auto met = opaque[node] ? reading.asGuard(node) : reading.value(node);
+  if (!met) return PartialTruth::Unknown;
+  return *met != 0 ? PartialTruth::True : PartialTruth::False;
+}
+
+PartialTruth PartialEvaluation::guard(const System& system, const Transition& transition,
+                                      const PartialState& at, BitField& undecided) const {
+  auto result = tests(system, transition, at, undecided);
   for (auto node : transition.rest) {
-    const auto met = opaque[node] ? reading.asGuard(node) : reading.value(node);
-    if (met && *met == 0) return PartialTruth::False;
-    if (!met) result = PartialTruth::Unknown;
+    if (result == PartialTruth::False) break;
+    const auto met = condition(system, node, at, undecided);
+    if (met != PartialTruth::True) result = met;
   }
   return result;
 }

@@ -31,6 +31,13 @@ public:
   [[nodiscard]] PartialTruth guard(const System& system, const Transition& transition,
                                    const PartialState& at, BitField& undecided) const;
 
+  /// The same for the tests of a guard.
+  [[nodiscard]] PartialTruth tests(const System& system, const Transition& transition,
+                                   const PartialState& at, BitField& undecided) const;
+  /// The same for one of the conditions of a guard.
+  [[nodiscard]] PartialTruth condition(const System& system, NodeId node, const PartialState& at,
+                                       BitField& undecided) const;
+
 private:
   /// By node: its evaluation may cause a fault, so its value is known only if all its cells are.
   std::vector<bool> opaque;

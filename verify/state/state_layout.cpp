@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <optional>
 #include <span>
 
 namespace proskill::verify {
@@ -63,16 +64,30 @@ void addTest(std::vector<BitTest>& tests, const Node& node, bool equal) {
   same->value |= node.value;
 }
 
+/// A condition as a test of bits; nothing if it is not one.
+std::optional<Node> testOf(const System& system, const Node& node) {
+  if (node.op == NodeOp::Test) return node;
+  if (node.op != NodeOp::Cell) return std::nullopt;
+  const Cell& cell = system.cells[node.a];
+  if (cell.low != 0 || cell.high != 1) return std::nullopt;
+  return Node{
+      .op = NodeOp::Test, .a = cell.word, .b = node.a, .mask = cell.mask, .value = cell.mask};
+}
+
 void lowerGuard(const System& system, Transition& transition) {
   for (auto part : conjunctsOf(system, transition.guard)) {
     const Node& node = system.nodes[part];
-    bool negated = node.op == NodeOp::Not && system.nodes[node.a].op == NodeOp::Test;
-    if (node.op == NodeOp::Test)
-      addTest(transition.tests, node, true);
-    else if (negated)
-      addTest(transition.tests, system.nodes[node.a], false);
-    else
+    const bool negated = node.op == NodeOp::Not;
+    auto test = testOf(system, negated ? system.nodes[node.a] : node);
+    const bool isBit = test && std::has_single_bit(test->mask);
+    if (!test) {
       transition.rest.push_back(part);
+    } else if (negated && isBit) { // to differ from one of two values is to equal the other one
+      test->value ^= test->mask;
+      addTest(transition.tests, *test, true);
+    } else {
+      addTest(transition.tests, *test, !negated);
+    }
   }
 }
 

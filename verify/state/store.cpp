@@ -6,26 +6,32 @@
 namespace proskill::verify {
 
 void NumberTable::grow() {
-  std::vector<Slot> old = std::exchange(slots, std::vector<Slot>(slots.size() * 2));
-  const std::uint64_t mask = slots.size() - 1;
+  const std::vector<Slot> old = std::exchange(slots, std::vector<Slot>(slots.size() * 2));
   for (const auto& slot : old) {
     if (slot.number == kNone) continue;
-    std::uint64_t at = (std::uint64_t{slot.tag} << 32 | slot.low) & mask;
-    while (slots[at].number != kNone) at = (at + 1) & mask;
+    std::size_t at = placeOf(slot.tag);
+    while (slots[at].number != kNone)
+      if (++at == slots.size()) at = 0;
     slots[at] = slot;
   }
 }
 
-StateStore::Added StateStore::add(const Word* state) {
+std::uint64_t StateStore::hashOf(const Word* state) const {
   std::uint64_t hash = 0;
   for (std::uint32_t i = 0; i < words; ++i) hash = mix(hash, state[i]);
-  hash = mix(hash, hash >> 32);
-  auto id = table.findOrAdd(hash, count, [&](StateId other) {
-    const Word* known = at(other);
-    Word difference = 0; // a few words, so faster than a call
-    for (std::uint32_t i = 0; i < words; ++i) difference |= state[i] ^ known[i];
-    return difference == 0;
-  });
+  return mix(hash, hash >> 32);
+}
+
+bool StateStore::isEqual(const Word* state, StateId other) const {
+  const Word* known = at(other);
+  Word difference = 0; // a few words, so faster than a call
+  for (std::uint32_t i = 0; i < words; ++i) difference |= state[i] ^ known[i];
+  return difference == 0;
+}
+
+StateStore::Added StateStore::add(const Word* state) {
+  auto id =
+      table.findOrAdd(hashOf(state), count, [&](StateId other) { return isEqual(state, other); });
   if (id != count) return {id, false};
   arena.insert(arena.end(), state, state + words);
   ++count;

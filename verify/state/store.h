@@ -23,41 +23,52 @@ template <class T> [[nodiscard]] std::uint64_t growthOf(const std::vector<T>& al
   return all.capacity() * sizeof(T);
 }
 
-/// A hash table of numbers (open addressing). The owner stores and compares the items.
+/// A hash table of numbers (open addressing). The owner stores and compares the items. Half of the
+/// hash decides the place of an item and is kept with it, so the table grows without the items.
 class NumberTable {
 public:
   /// The number of the item for which `same` returns true. If there is none, inserts `next` and
   /// returns it.
   template <class Same> std::uint32_t findOrAdd(std::uint64_t hash, std::uint32_t next, Same same) {
-    if ((used + 1) * 2 > slots.size()) grow();
-    const std::uint64_t mask = slots.size() - 1;
-    const auto tag = static_cast<std::uint32_t>(hash >> 32);
-    for (std::uint64_t at = hash & mask;; at = (at + 1) & mask) {
-      Slot& slot = slots[at];
-      if (slot.number == kNone) {
-        slot = {next, tag, static_cast<std::uint32_t>(hash)};
-        ++used;
-        return next;
-      }
-      if (slot.tag == tag && slot.low == static_cast<std::uint32_t>(hash) && same(slot.number))
-        return slot.number;
-    }
+    if ((used + 1) * 4 > slots.size() * 3) grow();
+    Slot& slot = slots[seek(hash, same)];
+    if (slot.number != kNone) return slot.number;
+    slot = {next, tagOf(hash)};
+    ++used;
+    return next;
+  }
+  /// The number of the item for which `same` returns true; kNone if there is none.
+  template <class Same> [[nodiscard]] std::uint32_t find(std::uint64_t hash, Same same) const {
+    return slots[seek(hash, same)].number;
   }
   [[nodiscard]] std::uint64_t bytes() const { return slots.capacity() * sizeof(Slot); }
   [[nodiscard]] std::uint64_t growth() const {
-    return (used + kBetweenGrowthChecks) * 2 > slots.size() ? 2 * bytes() : 0;
+    return (used + kBetweenGrowthChecks) * 4 > slots.size() * 3 ? 2 * bytes() : 0;
   }
 
 private:
   struct Slot {
     std::uint32_t number = kNone;
-    std::uint32_t tag = 0; ///< upper half of the hash
-    std::uint32_t low = 0; ///< lower half of the hash, so that the table can grow without the items
+    std::uint32_t tag = 0;
   };
 
+  [[nodiscard]] static std::uint32_t tagOf(std::uint64_t hash) {
+    return static_cast<std::uint32_t>(hash >> 32);
+  }
+  [[nodiscard]] std::size_t placeOf(std::uint32_t tag) const {
+    return static_cast<std::size_t>(std::uint64_t{tag} * slots.size() >> 32);
+  }
+  /// The slot of the item, or the empty slot for it.
+  template <class Same> [[nodiscard]] std::size_t seek(std::uint64_t hash, const Same& same) const {
+    const std::uint32_t tag = tagOf(hash);
+    std::size_t at = placeOf(tag);
+    while (slots[at].number != kNone && (slots[at].tag != tag || !same(slots[at].number)))
+      if (++at == slots.size()) at = 0;
+    return at;
+  }
   void grow();
 
-  std::vector<Slot> slots = std::vector<Slot>(1024);
+  std::vector<Slot> slots = std::vector<Slot>(256);
   std::uint64_t used = 0;
 };
 
@@ -74,6 +85,10 @@ public:
     bool isNew = false;
   };
   Added add(const Word* state);
+  /// The number of a state, or kNone.
+  [[nodiscard]] StateId find(const Word* state) const {
+    return table.find(hashOf(state), [&](StateId other) { return isEqual(state, other); });
+  }
   [[nodiscard]] const Word* at(StateId id) const { return arena.data() + std::size_t{id} * words; }
   [[nodiscard]] std::uint32_t size() const { return count; }
   [[nodiscard]] std::uint64_t bytes() const {
@@ -82,6 +97,9 @@ public:
   [[nodiscard]] std::uint64_t growth() const { return table.growth() + growthOf(arena); }
 
 private:
+  [[nodiscard]] std::uint64_t hashOf(const Word* state) const;
+  [[nodiscard]] bool isEqual(const Word* state, StateId other) const;
+
   std::uint32_t words;
   std::uint32_t count = 0;
   std::vector<Word> arena;
@@ -96,6 +114,7 @@ public:
     const Place& place = places[id];
     return {arena.data() + place.offset, std::size_t{place.dimension} * place.dimension};
   }
+  [[nodiscard]] std::uint32_t dimension(ZoneId id) const { return places[id].dimension; }
   [[nodiscard]] Dbm zone(ZoneId id) const { return {places[id].dimension, matrix(id)}; }
   [[nodiscard]] Bound at(ZoneId id, std::uint32_t i, std::uint32_t j) const {
     const Place& place = places[id];

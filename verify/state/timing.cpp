@@ -72,7 +72,7 @@ SignatureId Timing::signature(bool urgent, const TransitionSet& enabled,
   std::uint64_t hash = mix(0, urgent);
   for (std::size_t k = 0; k < enabled.size(); ++k) hash = mix(hash, enabled[k] & clocked[k]);
   const auto next = static_cast<SignatureId>(signatures.size());
-  auto id = table.findOrAdd(hash, next, [&](SignatureId other) {
+  auto id = table.findOrAdd(mix(hash, hash >> 32), next, [&](SignatureId other) {
     bool same = signatures[other].urgent == urgent;
     for (std::size_t k = 0; k < enabled.size() && same; ++k)
       same = sets[other][k] == (enabled[k] & clocked[k]);
@@ -87,6 +87,10 @@ SignatureId Timing::signature(bool urgent, const TransitionSet& enabled,
   signatures.push_back(std::move(made));
   sets.push_back(std::move(set));
   return id;
+}
+
+SignatureId Timing::adopt(const Timing& from, SignatureId id) {
+  return signature(from.signatures[id].urgent, from.sets[id], from.sets[id]);
 }
 
 ZoneId Timing::settle(Dbm zone, const Signature& signature) {

@@ -51,6 +51,15 @@ public:
   /// The clocks of `before` that keep running as clocks of `after`, as argument of Dbm::over.
   [[nodiscard]] std::vector<std::uint32_t> kept(SignatureId before, TransitionId transition,
                                                 SignatureId after) const;
+  /// The number here of a signature or a zone of another Timing of the same system.
+  [[nodiscard]] SignatureId adopt(const Timing& from, SignatureId id);
+  [[nodiscard]] ZoneId adopt(const ZoneStore& from, ZoneId id) { return store.add(from.zone(id)); }
+  [[nodiscard]] ZoneId adopt(const Dbm& zone) { return store.add(zone); }
+  [[nodiscard]] std::uint32_t signatureCount() const {
+    return static_cast<std::uint32_t>(signatures.size());
+  }
+  /// The transitions with clocks of a signature, as a set.
+  [[nodiscard]] const TransitionSet& enabledSet(SignatureId id) const { return sets[id]; }
   [[nodiscard]] const ZoneStore& zones() const { return store; }
   [[nodiscard]] std::uint64_t bytes() const { return store.bytes() + memo.bytes(); }
   [[nodiscard]] std::uint64_t growth() const { return store.growth() + memo.growth(); }

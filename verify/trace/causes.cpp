@@ -71,7 +71,8 @@ public:
     state = initialState(system);
     enabling.compute(state.data(), enabled);
     const std::size_t count = evidence.steps.size();
-    bool whole = goal.kind == GoalKind::Stuck || (evidence.monitor && !evidence.monitor->ofPoints);
+    bool whole = goal.kind == GoalKind::Stuck || goal.kind == GoalKind::Lost ||
+                 (evidence.monitor && !evidence.monitor->ofPoints);
     whole = !go(0, count, true) || whole;
     atEnd();
     if (evidence.loop) whole = !go(*evidence.loop, count, false) || whole;
@@ -173,6 +174,9 @@ private:
       if (evidence.rest) showDeadlock();
       break;
     case GoalKind::Stuck:
+    case GoalKind::Lost:
+    case GoalKind::Longest:
+    case GoalKind::Shortest:
     case GoalKind::Unsupported: break;
     }
   }
@@ -262,9 +266,10 @@ private:
     for (auto origin : log.origins) {
       const auto [first, last] =
           std::ranges::equal_range(system.grounds, origin, {}, &GroundNode::origin);
-      for (const auto& ground : std::ranges::subrange(first, last))
-        if (provenance.origins[origin].grounds[ground.index].afterwards == afterwards)
-          explain(i, ground, at);
+      for (const auto& ground : std::ranges::subrange(first, last)) {
+        const auto& told = provenance.origins[origin].grounds[ground.index];
+        if (told.afterwards == afterwards && !told.isOfWaits()) explain(i, ground, at);
+      }
     }
   }
 
@@ -380,6 +385,9 @@ bool reproduces(const System& system, const Goal& goal, const Evidence& evidence
   }
   case GoalKind::Stuck:
   case GoalKind::Run:
+  case GoalKind::Lost:
+  case GoalKind::Longest:
+  case GoalKind::Shortest:
   case GoalKind::Unsupported: return true;
   }
   return false;

@@ -1,6 +1,7 @@
 #include "verify/trace/footprint.h"
 
 #include "verify/model/nodes.h"
+#include "verify/model/value_bounds.h"
 
 #include <algorithm>
 #include <utility>

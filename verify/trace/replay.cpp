@@ -1,6 +1,7 @@
 #include "verify/trace/replay.h"
 
 #include "verify/state/evaluate.h"
+#include "verify/trace/monitor_stays.h"
 #include "verify/trace/simulator.h"
 
 #include <algorithm>
@@ -59,6 +60,7 @@ public:
       location = edge.to;
       visited.push_back({mark.after, location});
     }
+    if (!staysWhereItMay(run)) return "the monitor stays where it may not";
     if (monitor.locations[location].error) return {};
     if (evidence.loop) return goesRound(location) ? "" : "the repeated steps are not a violation";
     if (!ended) return "something is still possible at the end";
@@ -70,6 +72,28 @@ private:
     std::size_t after; ///< number of steps
     std::uint32_t location;
   };
+
+  /// Whether time passes only in states that the monitor's location allows.
+  [[nodiscard]] bool staysWhereItMay(const ReplayedRun& run) const {
+    MonitorStays stays(evidence);
+    bool may = true;
+    for (std::size_t i = 0; i <= evidence.steps.size(); ++i)
+      stays.eachIn(i, [&](const MonitorStay& stay) {
+        const Word* state = run.after(i).state.data();
+        may = may &&
+              (dateOf(stay.to) <= dateOf(stay.from) ||
+               holdsAt(system, monitor.locations[stay.location].stay, {state, nullptr, nullptr}));
+      });
+    return may;
+  }
+
+  /// By the numbers of dates.h.
+  [[nodiscard]] std::int64_t dateOf(std::size_t number) const {
+    const std::size_t last = evidence.steps.size();
+    if (number == 0) return 0;
+    if (number <= last) return dating.steps[number - 1].date;
+    return number == last + 1 ? dating.end : dating.marks[number - last - 2];
+  }
 
   /// Whether the monitor visits an accepting location between the beginning and the end of the
   /// loop, where it is in the same location.
@@ -140,11 +164,16 @@ std::string judge(const System& system, const Goal& goal, const Evidence& eviden
   case GoalKind::Run:
     if (!evidence.monitor) return "it is not known what of the run shows the violation";
     return Following(system, evidence, dating,
-                     now.since.empty() || (evidence.monitor->fair && simulator.mayRest(now)))
+                     now.since.empty() || (evidence.monitor->letsRest() && simulator.mayRest(now)))
         .follow(run);
   case GoalKind::Error: return "nothing fails";
+  case GoalKind::Lost:
+    return holdsAt(system, goal.condition, {now.state.data()}) ? "the condition is true at the end"
+                                                               : "";
   case GoalKind::Events:
   case GoalKind::Condition:
+  case GoalKind::Longest:
+  case GoalKind::Shortest:
   case GoalKind::Unsupported: break;
   }
   return shows(system, goal, run, count) ? "" : "the end does not show what was asked for";
@@ -172,6 +201,7 @@ std::string ReplayedRun::take(std::size_t before, TransitionId step, std::int64_
   StepLog log;
   auto next = simulator->take(now, step, date, log);
   if (!next) return "is not possible";
+  limits.checkGrowth(taken, 1);
   taken.push_back({step, date, std::move(*next), std::move(log.events)});
   return {};
 }

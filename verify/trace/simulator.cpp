@@ -157,7 +157,7 @@ bool Simulator::isBlocked(const Concrete& now, TransitionId id) const {
                              [&](TransitionId blocker) { return now.since.contains(blocker); });
 }
 
-/// Whether `fired` moves an instance that takes part in `other`.
+/// Whether some time may pass, however little.
 bool Simulator::mayWaitALittle(const Concrete& now, std::int64_t date) const {
   return std::ranges::all_of(now.since, [&](const auto& entry) {
     const auto& interval = system.transitions[entry.first].interval;

@@ -69,26 +69,39 @@ Witness::Witness(const System& whole, const Reductions& used, const fiacre::Prov
   used.dropped.each([&](TransitionId id) { insert(dropped, id); });
 }
 
-/// Dates and replays the evidence. \return an error; empty on success
+/// Dates and replays the evidence. \param windows see dated() \return an error; empty on success
 std::string Witness::check(const Goal& goal, const Evidence& evidence,
-                           std::optional<Dating>& dating) const {
-  dating = dated(system, all, evidence, limits);
+                           std::optional<Dating>& dating, bool windows) const {
+  dating = dated(system, all, evidence, limits, windows);
   if (!dating) return "the steps have no dates";
   return replay(system, goal, evidence, *dating, played);
 }
 
 std::string Witness::refutation(const Goal& goal, const Evidence& evidence) const {
   std::optional<Dating> dating;
-  return check(goal, evidence, dating);
+  return check(goal, evidence, dating, false);
+}
+
+std::expected<Answer, std::string> Witness::answer(const Goal& goal, const Evidence& evidence,
+                                                   bool wantsTrace) const {
+  if (!wantsTrace) {
+    auto wrong = refutation(goal, evidence);
+    if (!wrong.empty()) return std::unexpected(std::move(wrong));
+    return Answer{Truth::False, std::nullopt, {}, evidence.steps.size()};
+  }
+  auto made = trace(goal, evidence);
+  if (!made) return std::unexpected(std::move(made.error()));
+  const auto steps = made->steps.size();
+  return Answer{Truth::False, std::move(*made), {}, steps};
 }
 
 std::expected<Trace, std::string> Witness::trace(const Goal& goal, const Evidence& evidence) const {
   std::optional<Dating> dating;
-  std::string wrong = check(goal, evidence, dating);
+  std::string wrong = check(goal, evidence, dating, true);
   if (!wrong.empty()) return std::unexpected(wrong);
 
   Trace made{.scale = dating->scale,
-             .end = goal.kind == GoalKind::Run ? dating->end : 0,
+             .end = goal.kind == GoalKind::Run || !evidence.differences.empty() ? dating->end : 0,
              .loop = evidence.loop};
   if (goal.kind == GoalKind::Run)
     made.rest = played.restAfter(made.loop.value_or(evidence.steps.size()));
@@ -151,15 +164,21 @@ const std::vector<std::uint32_t>& Witness::watchedBy(TransitionId step) const {
 Evidence Witness::tidied(const Goal& goal, const Evidence& evidence) const {
   Evidence whole = completed(goal, evidence);
   if (!open) return whole;
-  std::optional<Dating> dating;
   Evidence better = completed(goal, lazily(goal, evidence));
-  if (!check(goal, better, dating).empty()) return whole;
-  const std::vector<bool> read = readSteps(better); // only steps after the current one are removed
+  if (!refutation(goal, better).empty()) return whole;
+  if (goal.kind == GoalKind::Lost) return better; // a replay does not show that a moment is lost
   constexpr std::size_t kLong = 400;
-  for (std::size_t i = better.steps.size(); i-- > 0 && better.steps.size() < kLong;) {
-    if (!open->isSetter(better.steps[i]) || read[i]) continue;
-    Evidence shorter = without(better, i);
-    if (check(goal, shorter, dating).empty()) better = std::move(shorter);
+  if (better.steps.size() >= kLong) return better;
+  const std::vector<bool> read = readSteps(better); // only steps after the current one are removed
+  std::vector<std::size_t> setters;                 // the last one first
+  for (std::size_t i = better.steps.size(); i-- > 0;)
+    if (open->isSetter(better.steps[i]) && !read[i]) setters.push_back(i);
+  Evidence bare = better;
+  for (auto setter : setters) bare = without(bare, setter);
+  if (refutation(goal, bare).empty()) return bare;
+  for (auto setter : setters) {
+    Evidence shorter = without(better, setter);
+    if (refutation(goal, shorter).empty()) better = std::move(shorter);
   }
   return better;
 }

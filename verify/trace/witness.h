@@ -26,13 +26,17 @@ public:
   /// Replays these steps. \return why the replay fails, or an empty string
   /// \throw LimitMet
   [[nodiscard]] std::string refutation(const Goal& goal, const Evidence& evidence) const;
+  /// Replays these steps. \return the answer that they show, or why they show none
+  /// \throw LimitMet
+  [[nodiscard]] std::expected<Answer, std::string>
+  answer(const Goal& goal, const Evidence& evidence, bool wantsTrace) const;
   /// The trace of these steps, or why the replay fails. \throw LimitMet
   [[nodiscard]] std::expected<Trace, std::string> trace(const Goal& goal,
                                                         const Evidence& evidence) const;
 
 private:
   [[nodiscard]] std::string check(const Goal& goal, const Evidence& evidence,
-                                  std::optional<Dating>& dating) const;
+                                  std::optional<Dating>& dating, bool windows) const;
   void addCauses(const Goal& goal, const Evidence& evidence, Trace& trace) const;
   [[nodiscard]] const std::vector<std::uint32_t>& watchedBy(TransitionId step) const;
   [[nodiscard]] Evidence lazily(const Goal& goal, const Evidence& evidence) const;

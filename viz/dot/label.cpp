@@ -1,6 +1,7 @@
 #include "viz/dot/label.h"
 
 #include "syntax/text/utf8.h"
+#include "syntax/text/xml.h"
 
 #include <fmt/format.h>
 
@@ -95,19 +96,7 @@ std::string clean(std::string_view text) {
   return out;
 }
 
-std::string escape(std::string_view text) {
-  std::string out;
-  for (char c : clean(text)) {
-    switch (c) {
-    case '&': out += "&amp;"; break;
-    case '<': out += "&lt;"; break;
-    case '>': out += "&gt;"; break;
-    case '"': out += "&quot;"; break;
-    default: out += c;
-    }
-  }
-  return out;
-}
+std::string escape(std::string_view text) { return syntax::xmlText(clean(text)); }
 
 std::vector<std::string> wrap(std::string_view text, std::size_t width) {
   std::vector<std::string> lines;

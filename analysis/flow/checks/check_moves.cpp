@@ -84,14 +84,19 @@ private:
   void visitEvents() {
     const System& system = report.system();
     const Process& process = system[system.ofEvents()];
-    State state{.reachable = true, .values = {}};
-    for (VariableId variable : process.slots.variables())
-      state.values.push_back(report.solver.ever(variable));
-    for (NodeId event = 0; event < process.actions.size(); ++event)
-      for (const Assignment& each : process.actions[event].assignments)
-        if (each.slot && report.variables()[each.variable].restricted)
-          note({each.source, each.variable}, each, state,
-               report.program.events.all[event].at(each.source->range), true);
+    const State state = everyState(report, process);
+    for (NodeId event = 0; event < process.actions.size(); ++event) {
+      State before = state;
+      refineAll(before, process.actions[event].conditions, true);
+      if (before.reachable) visitEvent(process.actions[event], event, before);
+    }
+  }
+
+  void visitEvent(const Action& action, NodeId event, const State& state) {
+    for (const Assignment& each : action.assignments)
+      if (each.slot && report.variables()[each.variable].restricted)
+        note({each.source, each.variable}, each, state,
+             report.program.events.all[event].at(each.source->range), true);
   }
 
   Assigned& note(std::pair<const void*, VariableId> key, const Assignment& assignment,

@@ -1,6 +1,7 @@
 #include "analysis/flow/checks/checks.h"
 #include "syntax/diagnostics/codes.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 /// Finds unsatisfiable conditions of skills, and calls that are always refused.
@@ -9,13 +10,6 @@ namespace proskill::analysis::flow {
 namespace {
 
 using syntax::Code;
-
-State unknown(const Report& report, const Process& process) {
-  State state{.reachable = true, .values = {}};
-  for (VariableId variable : process.slots.variables())
-    state.values.push_back(report.variables()[variable].domain.all());
-  return state;
-}
 
 /// The first condition that contradicts those before it; the number of conditions if there is none.
 std::size_t firstConflict(State state, const std::vector<Condition>& conditions) {
@@ -32,10 +26,17 @@ struct Part {
   syntax::Range range;
 };
 
+/// The first condition that cannot hold together with those before it, whatever the state.
+std::size_t firstContradiction(const State& any, const std::vector<Condition>& conditions) {
+  for (std::size_t i = 0; i < conditions.size(); ++i)
+    if (!mayHoldTogether(any, {conditions.begin(), i + 1})) return i;
+  return conditions.size();
+}
+
 bool reportConflict(Report& report, syntax::CodeFor<3> code, const Definition<syntax::Skill>& skill,
                     const std::vector<Part>& parts, const State& state,
                     const std::vector<Condition>& conditions) {
-  std::size_t conflict = firstConflict(state, conditions);
+  std::size_t conflict = firstContradiction(state, conditions);
   if (conflict == conditions.size()) return false;
   const bool alone = !mayHold(state, conditions[conflict]);
   const std::string_view together = alone ? "" : " together with those before it";
@@ -45,6 +46,18 @@ bool reportConflict(Report& report, syntax::CodeFor<3> code, const Definition<sy
   for (std::size_t i = 0; i < conflict; ++i)
     finding.related(skill.at(parts[i].range), "does not go together with this one");
   return true;
+}
+
+/// Hints at conditions that are true wherever those before them are.
+void reportRedundant(Report& report, syntax::CodeFor<3> code,
+                     const Definition<syntax::Skill>& skill, const std::vector<Part>& parts,
+                     const State& state, const std::vector<Condition>& conditions) {
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    if (mayFailBeside(state, {conditions.begin(), i}, conditions[i])) continue;
+    const bool alone = !mayFailBeside(state, {}, conditions[i]);
+    report.findings.report(code, skill.at(parts[i].range), parts[i].tag.text, skill.name(),
+                           alone ? "" : " where those before it do");
+  }
 }
 
 class Preconditions {
@@ -64,9 +77,12 @@ private:
     const Process& process = report.system()[report.system().ofSkill(index)];
     std::vector<Part> parts;
     for (const auto& each : skill->preconditions) parts.push_back({each.tag, each.range});
-    if (reportConflict(report, Code::ContradictoryPreconditions, skill, parts,
-                       unknown(report, process), process.actions[0].conditions))
+    const State any = anyState(report, process);
+    const auto& conditions = process.actions[0].conditions;
+    if (reportConflict(report, Code::ContradictoryPreconditions, skill, parts, any, conditions))
       contradictory.insert(report.system().ofSkill(index)), blameSkill(report, index);
+    else
+      reportRedundant(report, Code::PreconditionAlwaysHolds, skill, parts, any, conditions);
   }
 
   void checkCall(ProcessId id, NodeId nodeId, const Node& node) {
@@ -119,8 +135,9 @@ private:
         parts.push_back({invariant->tag, invariant->range});
         guards.push_back(process.actions[node].conditions.front());
       }
-    State state = unknown(report, process);
+    State state = anyState(report, process);
     if (reportConflict(report, Code::ContradictoryInvariants, skill, parts, state, guards)) return;
+    reportRedundant(report, Code::InvariantAlwaysHolds, skill, parts, state, guards);
     refineAll(state, process.actions[0].conditions, true);
     if (!state.reachable) return;
     state = report.solver.after(std::move(state), process, 0);
@@ -129,7 +146,26 @@ private:
         Finding finding = report.findings.report(
             Code::StartBreaksInvariant, skill.at(parts[i].range), parts[i].tag.text, skill.name());
         addValues(finding, report, process, state, {guards[i]});
+      } else if (mayBreak(process, {guards.begin(), i}, guards[i])) {
+        report.findings.report(Code::StartMayBreakInvariant, skill.at(parts[i].range),
+                               parts[i].tag.text, skill.name());
       }
+  }
+
+  /// Whether the start effects can make a guard false where the preconditions hold. The guards
+  /// before it are true then. Asked of libraries only, in which any call is possible.
+  [[nodiscard]] bool mayBreak(const Process& process, std::span<const Condition> before,
+                              const Condition& guard) const {
+    const auto isComposite = [](const auto& skill) { return skill->isComposite(); };
+    if (std::ranges::any_of(report.program.skills.all, isComposite)) return false;
+    std::set<Slot> slots;
+    collectSlots(guard, slots);
+    for (const Condition& each : before) collectSlots(each, slots);
+    return isPossible(everyState(report, process), process.actions[0].conditions, slots,
+                      [&](const State& state) {
+                        const State after = report.solver.after(state, process, 0);
+                        return mayFail(after, guard) && mayHoldTogether(after, before);
+                      });
   }
 
   /// Whether a guard stays false until it is tested. Bodies test guards where they wait; earlier

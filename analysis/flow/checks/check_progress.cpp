@@ -17,7 +17,7 @@ public:
 
   void check() {
     auto within = [this](NodeId node) {
-      return report.solver.reachable(id, node) && takesNoTime((*process.graph)[node]);
+      return report.solver.reachable(id, node) && takesNoTime(process, node);
     };
     for (const std::vector<NodeId>& loop : loopsOf(*process.graph, within))
       if (!mayLeave(loop)) tell(loop);
@@ -75,7 +75,7 @@ private:
 };
 
 void checkZeroWait(Report& report, ProcessId id, NodeId nodeId, const Node& node) {
-  if (node.kind != NodeKind::Delay || !takesNoTime(node)) return;
+  if (node.kind != NodeKind::Delay || !takesNoTime(report.system()[id], nodeId)) return;
   Location at = report.at(id, nodeId);
   report.findings.report(Code::ZeroWait, at)
       .fix("remove the wait", withSpaceAround(report, at), "");

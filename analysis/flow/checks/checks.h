@@ -8,6 +8,7 @@ namespace proskill::analysis::flow {
 
 void checkMoves(Report& report);
 void checkPreconditions(Report& report);
+void checkEventGuards(Report& report);
 void checkStatuses(Report& report);
 void checkWaits(Report& report);
 void checkTests(Report& report);

@@ -119,6 +119,7 @@ std::optional<std::vector<Span>> evaluate(const Term& term, const State& state) 
   switch (term.kind) {
   case Term::Kind::Unknown: return std::nullopt;
   case Term::Kind::Number: return std::vector<Span>{{term.number, term.number}};
+  case Term::Kind::Any: return *term.spans;
   case Term::Kind::Variable: {
     std::vector<Span> spans;
     forEach(state.values[term.slot], [&](unsigned i) { spans.push_back(term.domain->at(i)); });

@@ -8,9 +8,10 @@ namespace proskill::analysis::flow {
 
 /// A value in a condition or an effect, with names resolved to slots.
 struct Term {
-  enum class Kind : std::uint8_t { Unknown, Number, Variable, Add, Subtract };
+  enum class Kind : std::uint8_t { Unknown, Number, Any, Variable, Add, Subtract };
   Kind kind = Kind::Unknown;
   std::int64_t number = 0;
+  const std::vector<Span>* spans = nullptr; ///< Any: one of these, an input of the skill
   Slot slot = 0;
   const Domain* domain = nullptr; ///< for a Variable
   std::vector<Term> operands;

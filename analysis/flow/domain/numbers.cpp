@@ -54,7 +54,10 @@ std::optional<std::int64_t> wholeNumber(const Expr& expr) {
 
 std::vector<std::int64_t> numbersIn(const Program& program) {
   Collector collector;
-  for (const auto& event : program.events.all) collector.effects(event->effects);
+  for (const auto& event : program.events.all) {
+    if (event->guard) collector.expr(*event->guard);
+    collector.effects(event->effects);
+  }
   for (const auto& skill : program.skills.all) collector.skill(skill.node());
   for (const auto& environment : program.environments.all) collector.body(environment->body);
   return std::move(collector.found);

@@ -131,8 +131,14 @@ void Resolver::addReads(const Expr& expr, std::vector<VariableId>& reads) const 
   for (const Expr& operand : expr.operands) addReads(operand, reads);
 }
 
-const Domain* Resolver::wordsOf(const Expr& expr) const {
+const Inputs::Input* Resolver::inputOf(const Expr& expr, const Slots& slots) const {
+  if (expr.kind != ExprKind::Parameter || !slots.skill) return nullptr;
+  return inputs.find(*slots.skill, expr.name.text);
+}
+
+const Domain* Resolver::wordsOf(const Expr& expr, const Slots& slots) const {
   auto variable = variableOf(expr);
+  if (const auto* input = inputOf(expr, slots)) variable = input->type;
   if (!variable || variables[*variable].domain.isNumeric()) return nullptr;
   return &variables[*variable].domain;
 }
@@ -148,6 +154,8 @@ Term Resolver::term(const Expr& expr, const Domain* beside, const Slots& slots) 
     if (!slot) return {};
     return {.kind = Term::Kind::Variable, .slot = *slot, .domain = &variables[*variable].domain};
   }
+  if (const auto* input = inputOf(expr, slots))
+    return {.kind = Term::Kind::Any, .spans = &input->values};
   if (expr.kind != ExprKind::Add && expr.kind != ExprKind::Subtract) return {};
   Term sum{.kind = expr.kind == ExprKind::Add ? Term::Kind::Add : Term::Kind::Subtract};
   for (const Expr& operand : expr.operands) sum.operands.push_back(term(operand, nullptr, slots));
@@ -157,8 +165,8 @@ Term Resolver::term(const Expr& expr, const Domain* beside, const Slots& slots) 
 Condition Resolver::compare(Comparison comparison, const Expr& left, const Expr& right,
                             const Slots& slots) const {
   // the first variable with named values determines the meaning of the other word
-  const Domain* leftWords = wordsOf(left);
-  const Domain* rightWords = leftWords ? nullptr : wordsOf(right);
+  const Domain* leftWords = wordsOf(left, slots);
+  const Domain* rightWords = leftWords ? nullptr : wordsOf(right, slots);
   Term first = term(left, rightWords, slots);
   Term second = term(right, leftWords, slots);
   using enum Term::Kind;
@@ -239,7 +247,10 @@ Condition Resolver::condition(const Expr& expr, const Slots& slots) const {
   case ExprKind::Globally:
   case ExprKind::Finally:
   case ExprKind::Next:
-  case ExprKind::Until: return {};
+  case ExprKind::Until:
+  case ExprKind::WeakUntil:
+  case ExprKind::Release:
+  case ExprKind::StrongRelease: return {};
   }
   std::unreachable();
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analysis/flow/domain/effect.h"
+#include "analysis/flow/domain/inputs.h"
 
 namespace proskill::analysis::flow {
 
@@ -9,7 +10,7 @@ namespace proskill::analysis::flow {
 class Resolver {
 public:
   Resolver(const Program& program, const Variables& variables)
-      : program(program), variables(variables) {}
+      : program(program), variables(variables), inputs(program, variables) {}
 
   [[nodiscard]] std::optional<VariableId> stateVariable(std::string_view name) const;
   [[nodiscard]] std::optional<std::size_t> skill(std::string_view name) const;
@@ -24,7 +25,8 @@ public:
 
 private:
   [[nodiscard]] std::optional<VariableId> variableOf(const syntax::Expr& expr) const;
-  [[nodiscard]] const Domain* wordsOf(const syntax::Expr& expr) const;
+  [[nodiscard]] const Inputs::Input* inputOf(const syntax::Expr& expr, const Slots& slots) const;
+  [[nodiscard]] const Domain* wordsOf(const syntax::Expr& expr, const Slots& slots) const;
   [[nodiscard]] Term term(const syntax::Expr& expr, const Domain* beside, const Slots& slots) const;
   [[nodiscard]] Condition compare(Comparison comparison, const syntax::Expr& left,
                                   const syntax::Expr& right, const Slots& slots) const;
@@ -35,6 +37,7 @@ private:
 
   const Program& program;
   const Variables& variables;
+  Inputs inputs;
 };
 
 } // namespace proskill::analysis::flow

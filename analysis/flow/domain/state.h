@@ -24,6 +24,8 @@ public:
   [[nodiscard]] std::size_t size() const { return ids.size(); }
   [[nodiscard]] VariableId operator[](Slot slot) const { return ids[slot]; }
   [[nodiscard]] const std::vector<VariableId>& variables() const { return ids; }
+  /// The skill whose inputs the process may read, by its index in the program.
+  std::optional<std::size_t> skill;
   [[nodiscard]] std::optional<Slot> find(VariableId id) const {
     auto found = std::ranges::lower_bound(ids, id);
     if (found == ids.end() || *found != id) return std::nullopt;

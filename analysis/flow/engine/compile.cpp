@@ -18,10 +18,16 @@ std::map<std::size_t, std::int64_t> resourcesOf(const System& system, const Proc
   return taken;
 }
 
+const syntax::Event* emittedBy(const System& system, const Node& node) {
+  if (node.kind != NodeKind::Emit) return nullptr;
+  const auto* event = system.program().events.find(node.statement->name.text);
+  return event ? &event->node() : nullptr;
+}
+
 const syntax::Effects* effectsOf(const System& system, const Node& node) {
   if (node.kind != NodeKind::Emit) return node.effects;
-  const auto* event = system.program().events.find(node.statement->name.text);
-  return event ? &(*event)->effects : nullptr;
+  const auto* event = emittedBy(system, node);
+  return event ? &event->effects : nullptr;
 }
 
 /// The variables for the skill itself that its transitions change.
@@ -100,6 +106,8 @@ void compileNode(const System& system, const Process& process, const Node& node,
   const Resolver& resolver = system.resolver();
   for (const syntax::Expr* condition : node.conditions)
     action.conditions.push_back(resolver.condition(*condition, process.slots));
+  if (const auto* event = emittedBy(system, node); event && event->guard)
+    action.conditions.push_back(resolver.condition(*event->guard, process.slots));
   if (const syntax::Effects* effects = effectsOf(system, node))
     action.assignments = resolver.assignments(*effects, process.slots);
   if (process.kind == ProcessKind::Skill) addBookkeeping(system, process, node, action.assignments);
@@ -122,6 +130,8 @@ void addReads(const System& system, const Process& process, std::vector<Variable
     const Node& node = (*process.graph)[id];
     for (const syntax::Expr* condition : node.conditions)
       system.resolver().addReads(*condition, reads);
+    if (const auto* event = emittedBy(system, node); event && event->guard)
+      system.resolver().addReads(*event->guard, reads);
     if (node.statement && node.statement->kind == syntax::StatementKind::Printf)
       for (const auto& argument : node.statement->arguments)
         system.resolver().addReads(argument.value, reads);
@@ -157,12 +167,19 @@ std::vector<VariableId> writesOf(const System& system, const Process& process) {
   return writes;
 }
 
+void compileEvent(const System& system, Process& process, std::size_t number) {
+  const auto& event = system.program().events.all[number];
+  Action& action = process.actions[number];
+  if (event->guard)
+    action.conditions.push_back(system.resolver().condition(*event->guard, process.slots));
+  if (system.isFree(number))
+    action.assignments = system.resolver().assignments(event->effects, process.slots);
+}
+
 void compileActions(const System& system, Process& process) {
   if (process.kind == ProcessKind::Events) {
     for (std::size_t event = 0; event < process.actions.size(); ++event)
-      if (system.isFree(event))
-        process.actions[event].assignments = system.resolver().assignments(
-            system.program().events.all[event]->effects, process.slots);
+      compileEvent(system, process, event);
     return;
   }
   for (NodeId id = 0; id < process.graph->nodes.size(); ++id)

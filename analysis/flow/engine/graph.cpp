@@ -110,7 +110,7 @@ LooseEnds Builder::statement(const Statement& s, LooseEnds ends) {
   case StatementKind::Call: return simple(NodeKind::Call, s, ends);
   case StatementKind::Interrupt: return simple(NodeKind::Interrupt, s, ends);
   case StatementKind::WaitTime: return simple(NodeKind::Delay, s, ends);
-  case StatementKind::Emit: return {edge(place(NodeKind::Emit, s, ends), Guard::None, true)};
+  case StatementKind::Emit: return {edge(place(NodeKind::Emit, s, ends), Guard::Holds, true)};
   case StatementKind::Unknown:
   case StatementKind::Printf: return simple(NodeKind::Step, s, ends);
   case StatementKind::WaitCondition: return wait(s, ends);

@@ -27,7 +27,7 @@ enum class NodeKind : std::uint8_t {
   /// stopped.
   Fork,
   Set,
-  Emit,
+  Emit,  ///< waits for the event's `:guard`, if there is one
   Step,  ///< a message, a jump or a label: no effect
   Leave, ///< `(success …)` or `(failure …)` in a branch: ends the branch, then the whole skill
   Outcome, ///< sets the outcome's effects and ends the skill

@@ -130,7 +130,11 @@ void Solver::prepareEvents() {
   State anything{.reachable = true, .values = {}};
   for (VariableId variable : model[id].slots.variables())
     anything.values.push_back(model.variables()[variable].domain.all());
-  for (NodeId event = 0; event < model[id].actions.size(); ++event) record(anything, id, event);
+  for (NodeId event = 0; event < model[id].actions.size(); ++event) {
+    State before = anything;
+    refineAll(before, model[id].actions[event].conditions, true);
+    if (before.reachable) record(before, id, event);
+  }
 }
 
 // --- Steps

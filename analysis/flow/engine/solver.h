@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analysis/flow/domain/satisfy.h"
 #include "analysis/flow/engine/interference.h"
 #include "analysis/flow/engine/system.h"
 #include "analysis/flow/engine/worklist.h"

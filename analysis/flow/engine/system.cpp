@@ -259,6 +259,9 @@ void System::chooseSlots() {
       if (!hasTwoMeanings(id, each)) variables.push_back(each);
     });
     processes[id].slots = Slots(std::move(variables));
+    const auto kind = processes[id].kind;
+    if (kind == ProcessKind::Skill || kind == ProcessKind::Branch)
+      processes[id].slots.skill = processes[id].definition;
   }
 }
 
@@ -274,7 +277,10 @@ IdSet System::readsOf(ProcessId id) const {
   if (process.graph)
     addReads(*this, process, reads);
   else
-    for (const auto& event : source.events.all) addReads(event->effects, names, shared, reads);
+    for (const auto& event : source.events.all) {
+      if (event->guard) names.addReads(*event->guard, reads);
+      addReads(event->effects, names, shared, reads);
+    }
   IdSet set;
   for (VariableId variable : reads) set.insert(variable);
   return set;

@@ -160,13 +160,15 @@ Duration Durations::ofNode(ProcessId process, NodeId id) {
       return {{0, 1}, Rational{0, 1}};
     return {{0, 1},
             syntax::hasTimeout(*node.statement) ? node.statement->duration.upper : std::nullopt};
+  case NodeKind::Emit:
+    if (takesNoTime(system[process], id)) return {{0, 1}, Rational{0, 1}};
+    return {{0, 1}, std::nullopt};
   case NodeKind::Start:
   case NodeKind::Refused:
   case NodeKind::Interrupt:
   case NodeKind::Test:
   case NodeKind::Choose:
   case NodeKind::Set:
-  case NodeKind::Emit:
   case NodeKind::Step:
   case NodeKind::Leave:
   case NodeKind::Outcome:

@@ -160,12 +160,14 @@ private:
   }
 
   [[nodiscard]] bool mayWait(NodeId node) const {
-    return nodeOf(node).kind == NodeKind::Wait || nodeOf(node).kind == NodeKind::Call;
+    const NodeKind kind = nodeOf(node).kind;
+    return kind == NodeKind::Wait || kind == NodeKind::Call ||
+           (kind == NodeKind::Emit && !takesNoTime(self, node));
   }
 
   /// Whether it depends on values that others set. Only single events make each combination
   /// certainly possible: parallel skills may keep an order that the solver does not see, as may
-  /// events with `:every`.
+  /// events with `:every` or `:guard`.
   [[nodiscard]] bool dependsOnOthers() const {
     const IdSet read = variablesRead();
     for (ProcessId other = 0; other < system.size(); ++other)
@@ -178,7 +180,8 @@ private:
       const auto sets = std::ranges::count_if(events[event].assignments, [&](const auto& each) {
         return read.contains(each.variable);
       });
-      if (sets > 1 || (sets > 0 && isTimed(event) && !isRefused() && !isAwaited())) return true;
+      if (sets > 1 || (sets > 0 && !events[event].conditions.empty())) return true;
+      if (sets > 0 && isTimed(event) && !isRefused() && !isAwaited()) return true;
     }
     return false;
   }
@@ -359,7 +362,8 @@ bool mayTakeNoTime(const Solver& solver, ProcessId process, NodeId node) {
   const ProcessId target = solver.system()[process].actions[node].target;
   if (each.kind == NodeKind::Call)
     return target != kNoProcess && !mayBeHeldUp(solver.system(), process, target);
-  return each.kind == NodeKind::Wait || takesNoTime(each);
+  return each.kind == NodeKind::Wait || each.kind == NodeKind::Emit ||
+         takesNoTime(solver.system()[process], node);
 }
 
 std::optional<InstantRound> instantRound(const Solver& solver, ProcessId process,

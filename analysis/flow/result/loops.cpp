@@ -15,14 +15,15 @@ bool hasSelfLoop(const Graph& graph, NodeId node) {
 
 } // namespace
 
-bool takesNoTime(const Node& node) {
+bool takesNoTime(const Process& process, NodeId id) {
+  const Node& node = (*process.graph)[id];
   switch (node.kind) {
   case NodeKind::Interrupt:
   case NodeKind::Test:
   case NodeKind::Choose:
   case NodeKind::Set:
-  case NodeKind::Emit:
   case NodeKind::Step: return true;
+  case NodeKind::Emit: return process.actions[id].conditions.empty();
   case NodeKind::Delay: {
     const auto& upper = node.statement->duration.upper;
     return upper && upper->numerator == 0;

@@ -1,14 +1,14 @@
 #pragma once
 
-#include "analysis/flow/engine/graph.h"
+#include "analysis/flow/engine/system.h"
 
 #include <functional>
 #include <vector>
 
 namespace proskill::analysis::flow {
 
-/// Whether a step from this node takes no time, whatever other processes do.
-[[nodiscard]] bool takesNoTime(const Node& node);
+/// Whether a step from this node takes no time, whatever other processes do. \pre it has a graph
+[[nodiscard]] bool takesNoTime(const Process& process, NodeId id);
 
 /// The loops of a graph, restricted to some nodes: the strongly connected components with an inner
 /// edge, each with its nodes in order.

@@ -47,10 +47,18 @@ Location withSpaceAround(const Report& report, Location part) {
   return {part.file, {begin, end}};
 }
 
-void collectSlots(const Condition& condition, std::set<Slot>& slots) {
-  if (condition.kind == Condition::Kind::Member) slots.insert(condition.slot);
-  slots.insert(condition.slots.begin(), condition.slots.end());
-  for (const Condition& operand : condition.operands) collectSlots(operand, slots);
+State anyState(const Report& report, const Process& process) {
+  State state{.reachable = true, .values = {}};
+  for (VariableId variable : process.slots.variables())
+    state.values.push_back(report.variables()[variable].domain.all());
+  return state;
+}
+
+State everyState(const Report& report, const Process& process) {
+  State state{.reachable = true, .values = {}};
+  for (VariableId variable : process.slots.variables())
+    state.values.push_back(report.solver.ever(variable));
+  return state;
 }
 
 void blameSkill(Report& report, std::size_t skill) {

@@ -48,8 +48,10 @@ struct Report {
 void addValues(Finding& finding, Report& report, const Process& process, const State& state,
                const std::vector<Condition>& conditions);
 
-/// Adds the variables that a condition reads.
-void collectSlots(const Condition& condition, std::set<Slot>& slots);
+/// Any values of all variables of a process.
+[[nodiscard]] State anyState(const Report& report, const Process& process);
+/// All values that the variables of a process ever have.
+[[nodiscard]] State everyState(const Report& report, const Process& process);
 
 /// Notes that a finding about a skill that cannot start also explains its status and its result.
 void blameSkill(Report& report, std::size_t skill);

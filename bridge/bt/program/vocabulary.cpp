@@ -11,19 +11,16 @@ std::string keyOf(const Node& node) {
   return key;
 }
 
-std::string interval(const Leaf& leaf) {
-  const auto most = leaf.most.empty() ? "...[" : leaf.most + "]";
-  return "[" + leaf.least + "," + most;
-}
+} // namespace
 
-Form command(const Node& node) {
-  Form command(std::vector<Form>{asName(node.id)});
+Form Vocabulary::command(const Node& node) {
+  const auto [known, isNew] = commands.try_emplace(node.id);
+  if (isNew) known->second = commandNames.take(node.id);
+  Form command(std::vector<Form>{known->second});
   for (const auto& [port, value] : node.ports)
     if (!port.starts_with('_')) command.parts.emplace_back(asString(value));
   return command;
 }
-
-} // namespace
 
 std::string Vocabulary::condition(const Node& node) {
   const auto [known, isNew] = conditions.try_emplace(keyOf(node));
@@ -33,14 +30,14 @@ std::string Vocabulary::condition(const Node& node) {
 
 std::string Vocabulary::watched(const Node& node) {
   const auto shared = condition(node);
-  if (!leaves.of(node).changes || watchedOnes.insert(shared).second) return shared;
+  if (!leaves.of(node.name, node.id).changes || watchedOnes.insert(shared).second) return shared;
   return declareCondition(node);
 }
 
 std::string Vocabulary::declareCondition(const Node& node) {
-  if (leaves.of(node).changes)
-    return anyOf(node.name.empty() ? node.id : node.name, {"Yes", "No"}, comment(node));
-  auto name = names.take(node);
+  if (leaves.of(node.name, node.id).changes)
+    return anyOf(wordOf(node), {"Yes", "No"}, comment(node));
+  auto name = names.take(wordOf(node));
   Form variable = list("defsv", name, ":states", list("Yes", "No"), ":init", list("Yes", "No"));
   variable.comment = comment(node);
   variables.push_back(variable);
@@ -64,7 +61,7 @@ std::string Vocabulary::anyOf(const std::string& wish, const std::vector<std::st
 }
 
 std::string Vocabulary::counter(const Node& node, const std::string& suffix, std::int64_t most) {
-  auto name = names.take((node.name.empty() ? node.id : node.name) + suffix);
+  auto name = names.take(wordOf(node) + suffix);
   Form variable = list("defsv", name, ":init", "0", ":min", "0", ":max", std::to_string(most));
   variable.comment = comment(node);
   variables.push_back(variable);
@@ -72,12 +69,12 @@ std::string Vocabulary::counter(const Node& node, const std::string& suffix, std
 }
 
 std::string Vocabulary::action(const Node& node) {
-  auto name = names.take(node);
-  const auto& leaf = leaves.of(node);
+  auto name = names.take(wordOf(node));
+  const auto& leaf = leaves.of(node.name, node.id);
   Form skill = list("defskill", name);
   skill.comment = comment(node);
-  const bool anyTime = leaf.least == "0" && leaf.most.empty();
-  if (!anyTime) append(skill.parts, {":time_interval", interval(leaf)});
+  if (const auto interval = leaf.interval(); !interval.empty())
+    append(skill.parts, {":time_interval", interval});
   append(skill.parts, {":action", command(node), ":success", leaf.succeeds ? "done" : "failed"});
   if (leaf.succeeds && leaf.fails) append(skill.parts, {":failure", "failed"});
   skills.push_back(skill);
@@ -89,9 +86,19 @@ void Vocabulary::composite(const std::string& name, const std::string& comment, 
   skill.comment = comment;
   const Form statements(std::move(body));
   if (contains(statements, list("success", "done"))) append(skill.parts, {":success", "done"});
-  if (contains(statements, list("failure", "failed"))) append(skill.parts, {":failure", "failed"});
+  const bool fails = contains(statements, list("failure", "failed"));
+  if (contains(statements, list("failure", "skipped")))
+    append(skill.parts, {":failure", fails ? list("failed", "skipped") : Form("skipped")});
+  else if (fails)
+    append(skill.parts, {":failure", "failed"});
   append(skill.parts, {":body", statements});
   skills.push_back(skill);
+}
+
+std::string Vocabulary::comment(const Node& node) const {
+  auto what = node.id;
+  if (!node.name.empty()) what += " \"" + node.name + "\"";
+  return asComment(node.place, what, folder);
 }
 
 void Vocabulary::approximate(const Node& node, std::string message) {

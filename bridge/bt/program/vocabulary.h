@@ -1,16 +1,15 @@
 #pragma once
 
-#include "bridge/bt/program/form.h"
-#include "bridge/bt/program/names.h"
 #include "bridge/bt/tree/traits.h"
+#include "bridge/text/form.h"
+#include "bridge/text/names.h"
 
 namespace proskill::bridge::bt {
 
-/// What the translation had to approximate, by node.
-struct Note {
-  Place place;
-  std::string message;
-};
+/// The name that its author gave to a node, or else its type.
+[[nodiscard]] inline const std::string& wordOf(const Node& node) {
+  return node.name.empty() ? node.id : node.name;
+}
 
 /// The definitions of a program, as they are needed: variables, events, skills.
 class Vocabulary {
@@ -34,7 +33,8 @@ public:
   void approximate(const Node& node, std::string message);
   void fail(const Node& node, std::string message);
 
-  [[nodiscard]] std::string comment(const Node& node) const { return asComment(node, folder); }
+  /// The line of a comment for a node: its place, its type, and its name.
+  [[nodiscard]] std::string comment(const Node& node) const;
   /// All definitions: variables, then skills, then properties.
   [[nodiscard]] Block program() const;
 
@@ -44,13 +44,20 @@ public:
   NamePool names;
   std::vector<Note> notes;
   Errors errors;
+  std::vector<std::string> undeclared; ///< types of leaves that were taken as actions
   Block properties;
+
+  /// The names of actions, by types of nodes.
+  std::map<std::string, std::string> commands;
 
 private:
   std::string declareCondition(const Node& node);
+  /// The `:action` of a node: a name for its type, and the values of its ports.
+  Form command(const Node& node);
 
   std::map<std::string, std::string> conditions; ///< by type and ports
-  std::set<std::string> watchedOnes;             ///< variables
+  NamePool commandNames;
+  std::set<std::string> watchedOnes; ///< variables
   Block variables;
   Block skills;
 };

@@ -70,11 +70,13 @@ class ForestReader {
 public:
   explicit ForestReader(Errors& errors) : errors(errors) {}
 
-  Forest read(const std::vector<File>& files) {
+  /// \param main the tree to execute; empty: as the last file says
+  Forest read(const std::vector<File>& files, const std::string& main) {
+    const bool isWhole = errors.empty(); // else the main tree may be in a file with an error
     for (const auto& file : files) head(file.root);
     for (const auto& file : files) declarations(file.root);
     for (const auto& file : files) trees(file.root);
-    mainTree(files.back().root);
+    if (isWhole) mainTree(files.back().root, main);
     return std::move(forest);
   }
 
@@ -83,7 +85,10 @@ private:
     if (root.name != "root")
       return fail(root, fmt::format("the outermost element must be `root`, not `{}`", root.name));
     const auto* format = root.attribute("BTCPP_format");
-    if (format == nullptr || *format != "4") fail(root, "`root` needs `BTCPP_format=\"4\"`");
+    if (format == nullptr)
+      forest.hasFormat = false;
+    else if (*format != "4")
+      fail(root, "`BTCPP_format` must be 4");
     for (const auto& element : root.children)
       if (element.name != "BehaviorTree" && element.name != "TreeNodesModel" &&
           element.name != "include")
@@ -102,6 +107,8 @@ private:
     const auto* id = model.attribute("ID");
     if (id == nullptr || id->empty()) return fail(model, "a model needs an attribute `ID`");
     if (builtIn(*id) != nullptr) return;
+    for (const auto& port : model.children)
+      if (const auto* name = port.attribute("name")) forest.ports[*id].insert(*name);
     if (model.name == "Action")
       forest.declared.emplace(*id, Kind::Action);
     else if (model.name == "Condition")
@@ -112,12 +119,17 @@ private:
       fail(model, fmt::format("`{}` is not allowed in `TreeNodesModel`", model.name));
   }
 
-  /// A tree may be used before it is defined.
-  void announce(const Element& element) {
+  /// A tree may be used before it is defined. \return its name, as BehaviorTree.CPP gives one
+  static std::string idOf(const Element& element, std::size_t& nameless) {
     const auto* id = element.attribute("ID");
-    if (id == nullptr || id->empty()) return fail(element, "`BehaviorTree` needs an `ID`");
-    if (!forest.trees.emplace(*id, Tree{*id, element.place, {}}).second)
-      fail(element, fmt::format("the tree `{}` is defined twice", *id));
+    if (id != nullptr && !id->empty()) return *id;
+    return fmt::format("BehaviorTree_{}", nameless++);
+  }
+
+  void announce(const Element& element) {
+    const auto id = idOf(element, announced);
+    if (!forest.trees.emplace(id, Tree{id, element.place, {}}).second)
+      fail(element, fmt::format("the tree `{}` is defined twice", id));
   }
 
   void trees(const Element& root) {
@@ -126,26 +138,27 @@ private:
   }
 
   void tree(const Element& element) {
+    const auto found = forest.trees.find(idOf(element, filled));
     if (element.children.size() != 1)
       return fail(element,
                   fmt::format("`BehaviorTree` must have 1 child, not {}", element.children.size()));
     auto root = NodeReader(forest, errors).node(element.children.front());
-    const auto* id = element.attribute("ID");
-    const auto found = id == nullptr ? forest.trees.end() : forest.trees.find(*id);
     if (found != forest.trees.end()) found->second.root = std::move(root);
   }
 
-  void mainTree(const Element& root) {
+  void mainTree(const Element& root, const std::string& chosen) {
     forest.place = root.place;
-    if (const auto* main = root.attribute("main_tree_to_execute")) {
-      forest.main = *main;
-      if (!forest.trees.contains(*main)) fail(root, fmt::format("there is no tree `{}`", *main));
+    const auto* named = root.attribute("main_tree_to_execute");
+    if (!chosen.empty() || named != nullptr) {
+      forest.main = chosen.empty() ? *named : chosen;
+      if (!forest.trees.contains(forest.main))
+        fail(root, fmt::format("there is no tree `{}`", forest.main));
     } else if (forest.trees.size() == 1) {
       forest.main = forest.trees.begin()->first;
     } else {
       fail(root, forest.trees.empty() ? "there is no `BehaviorTree`"
                                       : "`root` needs `main_tree_to_execute`: there are several "
-                                        "trees");
+                                        "trees; `--main` chooses one");
     }
   }
 
@@ -155,17 +168,19 @@ private:
 
   Forest forest;
   Errors& errors;
+  std::size_t announced = 0; ///< trees without a name
+  std::size_t filled = 0;    ///< the same, once their nodes are read
 };
 
 } // namespace
 
 std::expected<Forest, Errors> read(const analysis::FileSystem& files,
-                                   const std::filesystem::path& root) {
+                                   const std::filesystem::path& root, const std::string& main) {
   Errors errors;
   FileReader reader(files, errors);
   reader.file(root, {root});
-  if (!errors.empty()) return std::unexpected(std::move(errors));
-  auto forest = ForestReader(errors).read(reader.files);
+  if (reader.files.empty()) return std::unexpected(std::move(errors));
+  auto forest = ForestReader(errors).read(reader.files, main);
   if (!errors.empty()) return std::unexpected(std::move(errors));
   return forest;
 }

@@ -1,8 +1,11 @@
 #include "bridge/bt/read/read_nodes.h"
 
+#include "bridge/bt/read/script.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace proskill::bridge::bt {
 namespace {
@@ -10,6 +13,11 @@ namespace {
 bool nameIsNeeded(std::string_view tag) {
   return tag == "Action" || tag == "Condition" || tag.starts_with("SubTree");
 }
+
+/// What BehaviorTree.CPP itself reads of a node; all other names are ports.
+constexpr auto kReserved = std::to_array<std::string_view>(
+    {"_failureIf", "_successIf", "_skipIf", "_while", "_onSuccess", "_onFailure", "_onHalted",
+     "_post", "_autoremap", "_description", "_fullpath", "_uid"});
 
 std::string children(std::size_t count) {
   return fmt::format("{} child{}", count, count == 1 ? "" : "ren");
@@ -33,7 +41,9 @@ Node NodeReader::node(const Element& element) {
 
 void NodeReader::attributes(const Element& element, Node& node) {
   for (const auto& [key, value] : element.attributes) {
-    if (key == "ID")
+    if (key.starts_with('_') && std::ranges::find(kReserved, key) == kReserved.end())
+      fail(element, fmt::format("`{}` is not an attribute of BehaviorTree.CPP", key));
+    else if (key == "ID")
       node.id = value;
     else if (key == "name")
       node.name = value;
@@ -46,16 +56,34 @@ void NodeReader::classify(const Element& element, Node& node) {
   const auto* known = builtIn(element.name);
   if (known == nullptr) return classifyCustom(element, node);
   node.kind = known->kind;
+  needed(element);
   countChildren(element, known->least, known->most);
   if (nameIsNeeded(element.name) && node.id.empty())
     fail(element, fmt::format("`{}` needs an attribute `ID`", element.name));
   if (!nameIsNeeded(element.name)) node.id = element.name;
 }
 
+void NodeReader::needed(const Element& element) {
+  if (element.name == "Script" || element.name == "ScriptCondition") return script(element);
+  if (element.name != "SetBlackboard") return;
+  for (const auto* port : {"output_key", "value"})
+    if (element.attribute(port) == nullptr)
+      fail(element, fmt::format("`{}` needs an attribute `{}`", element.name, port));
+}
+
+void NodeReader::script(const Element& element) {
+  const auto* code = element.attribute("code");
+  if (code == nullptr)
+    return fail(element, fmt::format("`{}` needs an attribute `code`", element.name));
+  if (const auto why = scriptError(*code))
+    fail(element, fmt::format("this is not a script: {}", *why));
+}
+
 void NodeReader::classifyCustom(const Element& element, Node& node) {
   node.id = element.name;
   if (const auto declared = forest.declared.find(node.id); declared != forest.declared.end()) {
     node.kind = declared->second;
+    undeclaredPorts(node);
     return countChildren(element, 0, 0);
   }
   if (forest.trees.contains(node.id)) {
@@ -67,6 +95,17 @@ void NodeReader::classifyCustom(const Element& element, Node& node) {
   node.kind = Kind::Action;
   if (std::ranges::find(forest.undeclared, node.id) == forest.undeclared.end())
     forest.undeclared.push_back(node.id);
+}
+
+/// A model without any port is one that nobody has completed.
+void NodeReader::undeclaredPorts(const Node& node) {
+  const auto known = forest.ports.find(node.id);
+  if (known == forest.ports.end()) return;
+  for (const auto& [port, value] : node.ports)
+    if (!port.starts_with('_') && !known->second.contains(port))
+      forest.notes.push_back(
+          {node.place, fmt::format("`{}` is not a port that `TreeNodesModel` declares for `{}`",
+                                   port, node.id)});
 }
 
 void NodeReader::countChildren(const Element& element, std::size_t least, std::size_t most) {

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "bridge/bt/tree/place.h"
+#include "bridge/text/place.h"
 
+#include <expected>
 #include <string_view>
 #include <utility>
 

@@ -8,6 +8,9 @@ namespace {
 
 std::int64_t sizeOf(const Node& node) { return static_cast<std::int64_t>(node.children.size()); }
 
+Ends inverted(Ends ends) { return {ends.failure, ends.success}; }
+bool isEnding(Ends ends) { return ends.success || ends.failure; }
+
 } // namespace
 
 std::optional<std::int64_t> numberIn(const std::string& port) {
@@ -42,18 +45,97 @@ std::optional<std::int64_t> roundsOf(const Node& loop) {
   return numberIn(loop.port(loop.kind == Kind::Repeat ? "num_cycles" : "num_attempts"));
 }
 
+std::optional<std::int64_t> retriesOf(const Node& recovery) {
+  return numberIn(recovery.port("number_of_retries", "1"));
+}
+
+std::optional<std::int64_t> elementsIn(const Node& queue) {
+  const auto elements = queue.port("queue");
+  if (elements.empty() || elements.starts_with('{')) return std::nullopt;
+  return std::ranges::count(elements, ';') + 1;
+}
+
+std::optional<Otherwise> otherwiseOf(const Node& node) {
+  if (node.id == "SkipUnlessUpdated") return Otherwise::Skipped;
+  if (node.id == "WaitValueUpdate") return Otherwise::Running;
+  if (node.id == "SingleTrigger") return Otherwise::Failure;
+  const bool isQueue = node.kind == Kind::Queue;
+  const auto result = isQueue ? node.port("if_empty", "SUCCESS") : node.port("else", "FAILURE");
+  if (result == "SUCCESS") return Otherwise::Success;
+  if (result == "FAILURE") return Otherwise::Failure;
+  if (result == "SKIPPED") return Otherwise::Skipped;
+  if (result == "RUNNING" && !isQueue) return Otherwise::Running;
+  return std::nullopt;
+}
+
+std::optional<bool> thenSkips(const Node& runOnce) {
+  const auto value = runOnce.port("then_skip", "true");
+  if (value == "true" || value == "True" || value == "TRUE" || value == "1") return true;
+  if (value == "false" || value == "False" || value == "FALSE" || value == "0") return false;
+  return std::nullopt;
+}
+
 bool hasPrecondition(const Node& node) {
-  return node.ports.contains("_failureIf") || node.ports.contains("_successIf");
+  const auto has = [&](const char* port) { return node.ports.contains(port); };
+  return has("_failureIf") || has("_successIf") || has("_skipIf") || has("_while");
+}
+
+bool maySkipInside(const Node& node) {
+  switch (node.kind) {
+  case Kind::Precondition:
+    return otherwiseOf(node) == Otherwise::Skipped || maySkip(node.children.front());
+  case Kind::RunOnce: return thenSkips(node).value_or(true) || maySkip(node.children.front());
+  case Kind::Queue: return otherwiseOf(node) == Otherwise::Skipped;
+  case Kind::Inverter:
+  case Kind::ForceSuccess:
+  case Kind::ForceFailure:
+  case Kind::SubTree:
+  case Kind::Rate:
+  case Kind::Sequence:
+  case Kind::Fallback:
+  case Kind::ReactiveSequence:
+  case Kind::ReactiveFallback: return std::ranges::all_of(node.children, maySkip);
+  case Kind::TryCatch: return std::all_of(node.children.begin(), node.children.end() - 1, maySkip);
+  case Kind::IfThenElse:
+    return std::any_of(node.children.begin() + 1, node.children.end(), maySkip);
+  case Kind::Action:
+  case Kind::Condition:
+  case Kind::Script:
+  case Kind::Sleep:
+  case Kind::AlwaysSuccess:
+  case Kind::AlwaysFailure:
+  case Kind::SequenceWithMemory:
+  case Kind::Parallel:
+  case Kind::ParallelAll:
+  case Kind::WhileDoElse:
+  case Kind::Switch:
+  case Kind::Repeat:
+  case Kind::Retry:
+  case Kind::KeepRunning:
+  case Kind::Timeout:
+  case Kind::Delay:
+  case Kind::Recovery:
+  case Kind::RoundRobin:
+  case Kind::Persistent:
+  case Kind::Pipeline:
+  case Kind::Nonblocking:
+  case Kind::PauseResume: return false;
+  }
+  return false;
+}
+
+bool maySkip(const Node& node) {
+  return node.ports.contains("_skipIf") || node.ports.contains("_while") || maySkipInside(node);
 }
 
 Ends Traits::ends(const Node& node) const {
-  auto ends = inner(node);
+  auto ends = endsInside(node);
   if (node.ports.contains("_failureIf")) ends.failure = true;
   if (node.ports.contains("_successIf")) ends.success = true;
   return ends;
 }
 
-Ends Traits::inner(const Node& node) const {
+Ends Traits::endsInside(const Node& node) const {
   const auto child = [&] { return ends(node.children.front()); };
   switch (node.kind) {
   case Kind::Action:
@@ -64,21 +146,32 @@ Ends Traits::inner(const Node& node) const {
   case Kind::AlwaysFailure: return {false, true};
   case Kind::Sequence:
   case Kind::SequenceWithMemory:
-  case Kind::ReactiveSequence: return all(node);
+  case Kind::ReactiveSequence:
+  case Kind::Pipeline: return all(node.children);
   case Kind::Fallback:
-  case Kind::ReactiveFallback: return any(node);
+  case Kind::ReactiveFallback:
+  case Kind::RoundRobin: return any(node);
   case Kind::Parallel: return parallel(node);
   case Kind::ParallelAll: return parallelAll(node);
   case Kind::IfThenElse:
   case Kind::WhileDoElse:
   case Kind::Switch: return choice(node);
-  case Kind::Inverter: return {child().failure, child().success};
-  case Kind::ForceSuccess: return {child().success || child().failure, false};
-  case Kind::ForceFailure: return {false, child().success || child().failure};
+  case Kind::Inverter: return inverted(child());
+  case Kind::ForceSuccess: return {isEnding(child()), false};
+  case Kind::ForceFailure: return {false, isEnding(child())};
   case Kind::Repeat:
   case Kind::Retry:
   case Kind::KeepRunning: return loop(node);
   case Kind::Timeout: return {child().success, true};
+  case Kind::Persistent: return {true, all(node.children).failure};
+  case Kind::Nonblocking: return together(node);
+  case Kind::PauseResume: return pauseResume(node);
+  case Kind::Precondition:
+  case Kind::Queue: return orElse(node);
+  case Kind::TryCatch: return tryCatch(node);
+  case Kind::Recovery:
+  case Kind::RunOnce:
+  case Kind::Rate:
   case Kind::Delay:
   case Kind::SubTree: return child();
   }
@@ -86,16 +179,16 @@ Ends Traits::inner(const Node& node) const {
 }
 
 Ends Traits::leafEnds(const Node& node) const {
-  const auto& leaf = leaves.of(node);
+  const auto& leaf = leaves.of(node.name, node.id);
   return {leaf.succeeds, leaf.fails};
 }
 
-Ends Traits::all(const Node& node, std::size_t from) const {
+Ends Traits::all(std::span<const Node> inOrder) const {
   Ends result{true, false};
-  for (std::size_t i = from; i < node.children.size() && result.success; ++i) {
-    const auto child = ends(node.children[i]);
+  for (std::size_t i = 0; i < inOrder.size() && result.success; ++i) {
+    const auto child = ends(inOrder[i]);
     result.failure = result.failure || child.failure;
-    result.success = child.success;
+    result.success = child.success || maySkip(inOrder[i]);
   }
   return result;
 }
@@ -105,17 +198,30 @@ Ends Traits::any(const Node& node) const {
   for (std::size_t i = 0; i < node.children.size() && result.failure; ++i) {
     const auto child = ends(node.children[i]);
     result.success = result.success || child.success;
-    result.failure = child.failure;
+    result.failure = child.failure || maySkip(node.children[i]);
+  }
+  return result;
+}
+
+/// All children run from the first tick on.
+Ends Traits::together(const Node& node) const {
+  Ends result{true, false};
+  for (const auto& child : node.children) {
+    const auto end = ends(child);
+    result = {result.success && end.success, result.failure || end.failure};
   }
   return result;
 }
 
 Ends Traits::parallel(const Node& node) const {
   const auto thresholds = thresholdsOf(node).value_or(Thresholds{});
-  const auto succeeding =
-      std::ranges::count_if(node.children, [&](const Node& child) { return ends(child).success; });
-  const auto failing =
-      std::ranges::count_if(node.children, [&](const Node& child) { return ends(child).failure; });
+  std::int64_t succeeding = 0;
+  std::int64_t failing = 0;
+  for (const auto& child : node.children) {
+    const auto end = ends(child);
+    if (end.success) ++succeeding;
+    if (end.failure) ++failing;
+  }
   return {succeeding >= thresholds.successes, failing >= thresholds.failures};
 }
 
@@ -125,7 +231,7 @@ Ends Traits::parallelAll(const Node& node) const {
   std::int64_t possible = 0;
   for (const auto& child : node.children) {
     const auto end = ends(child);
-    if (!end.success && !end.failure) return {false, false};
+    if (!isEnding(end)) return {false, false};
     if (!end.success) ++certain;
     if (end.failure) ++possible;
   }
@@ -151,8 +257,32 @@ Ends Traits::loop(const Node& node) const {
   return {child.success, !endless && child.failure};
 }
 
-bool Traits::isPure(const Node& node) const {
-  if (hasPrecondition(node)) return false;
+Ends Traits::orElse(const Node& node) const {
+  auto result = ends(node.children.front());
+  if (node.kind == Kind::Queue) result.success = false; // then comes the next element
+  result.success = result.success || otherwiseOf(node) == Otherwise::Success;
+  result.failure = result.failure || otherwiseOf(node) == Otherwise::Failure;
+  return result;
+}
+
+Ends Traits::tryCatch(const Node& node) const {
+  const auto& last = node.children.back();
+  const auto tried = all(std::span(node.children).first(node.children.size() - 1));
+  return {tried.success, tried.failure && (isEnding(ends(last)) || maySkip(last))};
+}
+
+Ends Traits::pauseResume(const Node& node) const {
+  const auto& resumed = node.children.front();
+  auto result = ends(resumed);
+  result.success = result.success || maySkip(resumed);
+  for (const auto& paused : std::span(node.children).subspan(1))
+    result.failure = result.failure || ends(paused).failure;
+  return result;
+}
+
+bool Traits::isPure(const Node& node) const { return !hasPrecondition(node) && isPureInside(node); }
+
+bool Traits::isPureInside(const Node& node) const {
   switch (node.kind) {
   case Kind::Condition:
   case Kind::Script:
@@ -179,14 +309,28 @@ bool Traits::isPure(const Node& node) const {
   case Kind::Retry:
   case Kind::KeepRunning:
   case Kind::Timeout:
-  case Kind::Delay: return false;
+  case Kind::Delay:
+  case Kind::RunOnce:
+  case Kind::Precondition:
+  case Kind::Queue:
+  case Kind::TryCatch:
+  case Kind::Recovery:
+  case Kind::RoundRobin:
+  case Kind::Persistent:
+  case Kind::Pipeline:
+  case Kind::Nonblocking:
+  case Kind::PauseResume:
+  case Kind::Rate: return false;
   }
   return false;
 }
 
 bool Traits::mayEndAtOnce(const Node& node) const {
-  if (isPure(node) || hasPrecondition(node)) return true;
-  if (node.kind == Kind::Action) return leaves.of(node).isInstant();
+  if (isPure(node) || hasPrecondition(node) || maySkip(node)) return true;
+  if (node.kind == Kind::RunOnce || node.kind == Kind::Precondition || node.kind == Kind::Queue ||
+      node.kind == Kind::Persistent)
+    return true;
+  if (node.kind == Kind::Action) return leaves.of(node.name, node.id).isInstant();
   return std::ranges::any_of(node.children, [&](const Node& child) { return mayEndAtOnce(child); });
 }
 

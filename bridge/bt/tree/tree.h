@@ -1,9 +1,11 @@
 #pragma once
 
-#include "bridge/bt/tree/place.h"
+#include "bridge/text/place.h"
 
+#include <expected>
 #include <map>
 #include <optional>
+#include <set>
 #include <string_view>
 
 namespace proskill::bridge::bt {
@@ -33,10 +35,21 @@ enum class Kind : std::uint8_t {
   KeepRunning,
   Timeout,
   Delay,
+  RunOnce,
+  Precondition, // a decorator that asks before it starts its child
+  Queue,        // a loop over the elements of a queue
+  TryCatch,
+  Recovery, // of Nav2, as the next six
+  RoundRobin,
+  Persistent,
+  Pipeline,
+  Nonblocking,
+  PauseResume,
+  Rate, // a decorator that ticks its child less often
   SubTree,
 };
 
-/// How many children a node of BehaviorTree.CPP has.
+/// How many children a built-in node has.
 struct BuiltIn {
   std::string_view name;
   Kind kind;
@@ -73,7 +86,11 @@ struct Forest {
   std::string main;
   Place place;                          ///< of the first file's root element
   std::map<std::string, Kind> declared; ///< by TreeNodesModel: actions, conditions, subtrees
-  std::vector<std::string> undeclared;  ///< types of leaves that were taken as actions
+  /// By TreeNodesModel: the ports of types that have some.
+  std::map<std::string, std::set<std::string, std::less<>>> ports;
+  std::vector<Note> notes;             ///< about what may be an error
+  bool hasFormat = true;               ///< each file says that it is of version 4
+  std::vector<std::string> undeclared; ///< types of leaves that were taken as actions
 };
 
 } // namespace proskill::bridge::bt

@@ -51,6 +51,26 @@ return {
     child:wait('return not (function() ' .. told .. ' end)()')
   end },
 
+  { 'an edit changes verdicts in the other texts that are open', function(child)
+    child:file('lamp.proskill', '(defsv lamp :states (On Off) :init Off :transitions :all)\n'
+      .. '(defskill light :action (a) :start (lamp On) :success lit)')
+    child:open(child:file('main.proskill', '(include "lamp.proskill")\n(defskill mission :body ((light)))\n(defproperty dark (never (lamp On)))'))
+    child:lua("main = vim.api.nvim_get_current_buf()")
+    local violated = [[
+      for _, it in ipairs(vim.diagnostic.get(main)) do
+        if it.message:find('(never (lamp On)): violated', 1, true) then return true end
+      end
+      return false
+    ]]
+    child:wait(violated)
+    child:open(child.directory .. '/lamp.proskill')
+    child:at(':start (lamp |On)')
+    child:keys('cwOff<Esc>')
+    child:wait('return not (function() ' .. violated .. ' end)()')
+    child:keys('u')
+    child:wait(violated)
+  end },
+
   { 'what is told stands where it should, whatever comes before it', function(child)
     local text = '(defskill a :body ((printf "😀é€") (b)))'
     child:open(child:file('wide.proskill', text))

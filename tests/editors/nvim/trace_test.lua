@@ -106,6 +106,31 @@ return {
     expect.contains(table.concat(child:lua(values), '\n'), '  start_drone.status')
   end },
 
+  { 'an edit while a trace is open moves neither cursor nor window nor step', function(child)
+    drone(child)
+    trace(child, 'uav_mission.no_overshoot')
+    child:keys(':6cc<CR>')
+    child:wait(step_at(5))
+    child:at(':time_interval [60,|120]')
+    child:lua("vim.cmd('normal! zz')")
+    local state = [[
+      local view = vim.fn.winsaveview()
+      return { vim.api.nvim_get_current_win(), view.lnum, view.col, view.topline, require('proskill.trace').shown.at,
+               vim.fn.getqflist({ idx = 0 }).idx, #vim.api.nvim_list_wins(), vim.fn.mode() }
+    ]]
+    local before = child:lua(state)
+    child:keys('cw130')
+    child:wait([[
+      for _, it in ipairs(vim.diagnostic.get(0)) do
+        if it.message:find('takes at most 130 s from its start: violated', 1, true) then return true end
+      end
+      return false
+    ]])
+    before[3], before[8] = before[3] + 3, 'i'
+    expect.equal(child:lua(state), before)
+    expect.equal(child:lua("return vim.fn.getline('.')"), '  :time_interval [60,130]')
+  end },
+
   { 'moving through the list moves the program\'s window along', function(child)
     drone(child)
     trace(child, 'uav_mission.no_overshoot')

@@ -13,7 +13,8 @@ function membersOf(name) {
 }
 
 function enumeration(name, members) {
-  return `enum class ${name} : int {\n${members.map(([member, value]) => `  ${member} = ${value},\n`).join('')}};\n`;
+  const lines = members.map(([member, value]) => `  ${member[0].toUpperCase()}${member.slice(1)} = ${value},\n`);
+  return `enum class ${name} : int {\n${lines.join('')}};\n`;
 }
 
 /** Constants that only bound a range are never sent. */
@@ -34,7 +35,7 @@ ${enumeration('ErrorCode', errorCodes)}
 namespace proskill::lsp::protocol {
 
 ${['CompletionItemKind', 'CompletionItemTag', 'DiagnosticSeverity', 'DiagnosticTag', 'DocumentHighlightKind', 'InlayHintKind',
-    'InsertTextFormat', 'MessageType', 'SymbolKind', 'TextDocumentSyncKind'].map((name) => enumeration(name, membersOf(name))).join('\n')}
+    'InsertTextFormat', 'InsertTextMode', 'MessageType', 'SymbolKind', 'TextDocumentSyncKind'].map((name) => enumeration(name, membersOf(name))).join('\n')}
 } // namespace proskill::lsp::protocol
 `,
 };

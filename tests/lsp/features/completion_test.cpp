@@ -44,6 +44,23 @@ TEST_CASE("a completion replaces what is typed, counted in the encoding of the c
   }
 }
 
+TEST_CASE("the lines of a snippet are indented by the server") {
+  for (const bool supported : {true, false}) {
+    Session::Options options;
+    if (supported)
+      options.capabilities["textDocument"]["completion"]["completionItem"]
+                          ["insertTextModeSupport"] = {{"valueSet", {1, 2}}};
+    Session session(options);
+    session.initialize();
+    session.open(kMain, "(defskill m\n  :bo)\n");
+    const auto answer = session.at("textDocument/completion", kMain, 1, 5);
+    const auto item = itemOf(answer, ":body");
+    CHECK(item["textEdit"]["newText"] == ":body\n    ($0)");
+    CHECK(item.value("insertTextMode", 0) == (supported ? 1 : 0));
+    CHECK_FALSE(itemOf(answer, ":success").contains("insertTextMode"));
+  }
+}
+
 TEST_CASE("what is deprecated is struck out where it is offered and where it is used") {
   Session session;
   session.initialize();

@@ -1,4 +1,4 @@
-#include "tests/lsp/support/session.h"
+#include "tests/lsp/support/lamp.h"
 #include "tests/support/run.h"
 #include "tests/where.h"
 
@@ -10,56 +10,9 @@
 
 namespace proskill::test::verification_test {
 
-using test::rangeOf;
-using test::Session;
+using namespace lamp;
 
 namespace {
-
-constexpr auto kMain = "file:///w/main.proskill";
-constexpr auto kLamp = "file:///w/lamp.proskill";
-
-/// A lamp that can be switched on, and never off.
-const std::string kLampText = "(defsv lamp :states (On Off) :init Off\n"
-                              "  :transitions ((Off On)))\n";
-const std::string kGood = "(include \"lamp.proskill\")\n"
-                          "(defevent on :effects (lamp On))\n";
-const std::string kBad = kGood + "(defevent off :effects (lamp Off))\n";
-
-const Json kLive = {{"verify", {{"delay", 0}, {"seconds", 60}}}};
-
-Json document(const std::string& uri) { return {{"textDocument", {{"uri", uri}}}}; }
-
-Json verifying(const std::string& uri, Json names = Json::array()) {
-  auto params = document(uri);
-  params["names"] = std::move(names);
-  return params;
-}
-
-/// The next notification on a program in a state.
-Json verdictsIn(Session& session, const std::string& state, const std::string& program = kMain) {
-  while (true) {
-    auto news = session.notified("proskill/verdicts");
-    if (news["state"] == state && news["program"] == program) return news;
-  }
-}
-
-/// The next diagnostics of a text with, or without, verdicts.
-Json diagnosticsWith(Session& session, const std::string& uri, bool verdicts) {
-  while (true) {
-    auto news = session.notified("textDocument/publishDiagnostics");
-    if (news["uri"] != uri) continue;
-    Json found = Json::array();
-    for (const auto& it : news["diagnostics"])
-      if (it["source"] == "proskill verify") found.push_back(it);
-    if (found.empty() != verdicts) return found;
-  }
-}
-
-std::string verdictOn(const Json& result, const std::string& name) {
-  for (const auto& verdict : result["verdicts"])
-    if (verdict["name"] == name) return verdict["verdict"];
-  return "";
-}
 
 Session::Options withWorker(std::vector<std::string> command) {
   Session::Options options;
@@ -70,12 +23,6 @@ Session::Options withWorker(std::vector<std::string> command) {
 /// The output of a shell that replaces the verifying process.
 Session::Options withShell(const std::string& script) {
   return withWorker({"/bin/sh", "-c", script});
-}
-
-void openLamp(Session& session, const std::string& main) {
-  session.initialize();
-  session.open(kLamp, kLampText);
-  session.open(kMain, main);
 }
 
 /// Waits until a process has ended; fails if it does not.
@@ -104,9 +51,9 @@ TEST_CASE("verification is of the texts that the editor holds, in all files") {
         Json::array({{{"uri", kMain}, {"version", 1}}, {{"uri", kLamp}, {"version", 1}}}));
   CHECK(verdictOn(bad, "lamp.no_forbidden_transition") == "violated");
   session.change(kLamp, 2, rangeOf(1, 24, 24), " (On Off)");
-  auto mended = session.result("proskill/verify", verifying(kLamp));
-  CHECK(mended["texts"][1]["version"] == 2);
-  CHECK(verdictOn(mended, "lamp.no_forbidden_transition") == "holds");
+  auto fixed = session.result("proskill/verify", verifying(kLamp));
+  CHECK(fixed["texts"][1]["version"] == 2);
+  CHECK(verdictOn(fixed, "lamp.no_forbidden_transition") == "holds");
 }
 
 TEST_CASE("verification answers what was asked for, and its progress ends") {
@@ -216,59 +163,6 @@ TEST_CASE("a request that is cancelled ends its process; so does the end of the 
   }
 }
 
-TEST_CASE("the program in view is verified, and its verdicts are diagnostics") {
-  Session::Options options;
-  options.initializationOptions = kLive;
-  Session session(options);
-  openLamp(session, kBad);
-  auto news = verdictsIn(session, "done");
-  CHECK(news["stale"] == false);
-  CHECK(news["label"] == "main.proskill");
-  CHECK(news["counts"]["errors"] == 1);
-  auto found = diagnosticsWith(session, kLamp, true);
-  REQUIRE(found.size() == 1);
-  CHECK(found[0]["range"] == rangeOf(0, 7, 11));
-  CHECK(found[0]["severity"] == 1);
-  CHECK(found[0]["code"] == "no_forbidden_transition");
-  CHECK(found[0]["data"] ==
-        Json({{"kind", "verdict"}, {"name", "lamp.no_forbidden_transition"}, {"program", kMain}}));
-  auto way = found[0]["relatedInformation"];
-  REQUIRE(way.size() >= 2);
-  CHECK(way[0]["location"]["uri"] == kMain);
-  CHECK(way[0]["location"]["range"]["start"]["line"] == 1);
-}
-
-TEST_CASE("a client that puts verdicts together is told those alone that have changed") {
-  Session::Options options;
-  options.initializationOptions = kLive;
-  options.capabilities["experimental"]["verdictChanges"] = true;
-  Session session(options);
-  openLamp(session, kBad);
-  Json known;
-  const auto until = [&](const std::string& state, bool stale) {
-    while (true) {
-      auto news = session.notified("proskill/verdicts");
-      if (news["program"] != kMain) continue; // the lamp was briefly a program of its own
-      if (news["changes"] == false) known.clear();
-      for (const auto& verdict : news["verdicts"]) known[verdict["name"]] = verdict;
-      if (news["state"] == state && news["stale"] == stale) return news;
-    }
-  };
-  auto news = until("done", false);
-  const auto verified = session.result("proskill/verify", verifying(kMain))["verdicts"];
-  CHECK(known.size() == verified.size());
-  for (const auto& verdict : verified) CHECK(known[verdict["name"]] == verdict);
-  session.change(kLamp, 2, rangeOf(1, 24, 24), " (On Off)");
-  news = until("waiting", true);
-  CHECK(news["changes"] == true);
-  CHECK(news["verdicts"].empty());
-  CHECK(news["counts"]["errors"] == 1);
-  CHECK(known["lamp.no_forbidden_transition"]["verdict"] == "violated");
-  until("done", false);
-  CHECK(known["lamp.no_forbidden_transition"]["verdict"] == "holds");
-  CHECK(known.size() == verified.size());
-}
-
 TEST_CASE("another server has the verdicts of the one before") {
   const TemporaryDirectory files;
   for (const bool known : {false, true}) {
@@ -281,55 +175,6 @@ TEST_CASE("another server has the verdicts of the one before") {
     params["name"] = "lamp.no_forbidden_transition";
     CHECK(session.result("proskill/trace", params)["steps"].size() >= 2);
   }
-}
-
-TEST_CASE("an edit makes verdicts stale at once; what is taken back makes them current") {
-  Session::Options options;
-  options.initializationOptions = {{"verify", {{"delay", 0}, {"seconds", 60}}}};
-  Session session(options);
-  openLamp(session, kBad);
-  verdictsIn(session, "done");
-  diagnosticsWith(session, kLamp, true);
-  // A text with errors is not verified; the known verdicts are for the older text.
-  session.change(kMain, 2, rangeOf(0, 0, 0), "(");
-  auto news = verdictsIn(session, "errors");
-  CHECK(news["stale"] == true);
-  CHECK(news["texts"][0]["version"] == 1);
-  diagnosticsWith(session, kLamp, false);
-  session.change(kMain, 3, rangeOf(0, 0, 1), "");
-  CHECK(verdictsIn(session, "done")["stale"] == false);
-  CHECK(diagnosticsWith(session, kLamp, true).size() == 1);
-}
-
-TEST_CASE("a file that a refactoring opens and closes leaves no outdated verdicts") {
-  Session::Options options;
-  options.initializationOptions = kLive;
-  options.disk = std::make_shared<test::MemoryFiles>(
-      std::map<std::string, std::string>{{"/w/lamp.proskill", kLampText}});
-  Session session(options);
-  session.initialize();
-  session.open(kMain, kGood);
-  verdictsIn(session, "done");
-  session.open(kLamp, kLampText);
-  session.change(kLamp, 2, rangeOf(1, 24, 24), " (On Off)");
-  CHECK(verdictsIn(session, "done")["stale"] == false);
-  session.close(kLamp); // nothing was saved
-  CHECK(verdictsIn(session, "waiting")["stale"] == true);
-  CHECK(verdictsIn(session, "done")["stale"] == false);
-}
-
-TEST_CASE("a file that turns out to be part of a program has no verification of its own any more") {
-  Session::Options options;
-  options.initializationOptions = kLive;
-  Session session(options);
-  session.initialize();
-  const std::string part = "file:///w/part.proskill";
-  session.open(part, "(defevent off :effects (lamp Off))\n");
-  verdictsIn(session, "errors", part);
-  session.open(kLamp, kLampText);
-  session.open(kMain, kGood + "(include \"part.proskill\")\n");
-  CHECK(verdictsIn(session, "off", part)["message"] == "the file is part of a program");
-  CHECK(verdictsIn(session, "done")["counts"]["errors"] == 1);
 }
 
 TEST_CASE("a trace has places, dates and values, and says when it is stale") {

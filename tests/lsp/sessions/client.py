@@ -12,6 +12,7 @@ import time
 PATIENCE = 120  # seconds; only a server that hangs takes so long
 
 CAPABILITIES = {
+    'experimental': {'verdicts': 'all'},
     'general': {'positionEncodings': ['utf-16']},
     'window': {'workDoneProgress': True},
     'workspace': {

@@ -1,7 +1,10 @@
 """Whether what ProSkill's own requests answer is what docs/lsp.md says, member by member. Usage: own_requests.py PROSKILL"""
 
+import json
 import pathlib
+import subprocess
 import sys
+import tempfile
 
 from client import CAPABILITIES, Client, position
 from manual_types import Types
@@ -21,8 +24,11 @@ SMALL = '''(defsv lamp :states (On Off) :init Off :transitions :all)
 '''
 
 
-# Its state space is practically endless, so progress is reported until the time limit.
-ENDLESS = ''.join(f'(defskill s{i} :time_interval [1,{i}] :action (a) :success ok :failure bad)\n' for i in range(5, 14))
+# All skills share a variable, so the question about deadlocks is practically endless, and progress is reported until
+# the time limit.
+ENDLESS = '(defsv last :states (' + ' '.join(f'T{i}' for i in range(5, 14)) + ') :init T5)\n' + ''.join(
+    f'(defskill s{i} :precondition (other (/= last T{i})) :time_interval [1,{i}] :action (a) '
+    f':success ok (:effects (last T{i})) :failure bad)\n' for i in range(5, 14))
 
 
 def about(uri, **more):
@@ -64,6 +70,23 @@ def simulations(client, types, uri):
     assert missing['missing']['index'] == 0
 
 
+def recordings(client, types):
+    """A long one, of which a part is read; and what is none."""
+    with tempfile.TemporaryDirectory() as directory:
+        program, recording = pathlib.Path(directory, 'endless.proskill'), pathlib.Path(directory, 'run.mcap')
+        program.write_text('(defskill m :body ((while true (^ 1))))')
+        subprocess.run([sys.argv[1], 'run', '--until', '2d', '--record', recording, program], stdout=subprocess.DEVNULL)
+        last = client.result('proskill/recording', {'uri': recording.as_uri()})
+        first = client.result('proskill/recording', {'uri': recording.as_uri(), 'from': 0})
+        for part in (last, first):
+            types.check(part, 'Recording')
+            steps = json.loads(part['trace'])['steps']
+            assert not part['whole'] and part['length'] == 2 * 86400
+            assert steps[-1]['date']['seconds'] == part['end']
+        assert first['begin'] == 0 and last['end'] == last['length']
+        assert client.error('proskill/recording', {'uri': program.as_uri()}) == -32803  # it is not one
+
+
 def verdicts(client, types, uri):
     result = client.result('proskill/verify', about(uri))
     types.check(result, 'VerifyResult')
@@ -88,6 +111,7 @@ def main():
     types.check(client.result('proskill/automaton', about('untitled:broken', kind='calls')), 'Automaton')
     types.check(client.result('proskill/tests', {}), 'Tests')
     types.check(client.result('proskill/explain', {'code': 'PS0301'}), 'Explanation')
+    recordings(client, types)
     types.check(client.result('proskill/status', None), 'Status')
     for note, _ in client.notes:
         if note.message['method'] == 'proskill/verdicts':

@@ -38,7 +38,7 @@ std::vector<std::string> examples() {
 Files example(const std::string& name) {
   Files result;
   for (const auto& entry : std::filesystem::directory_iterator(kExamples / name))
-    if (entry.path().extension() == ".proskill")
+    if (const auto end = entry.path().extension(); end == ".proskill" || end == ".gen")
       result[entry.path().filename().string()] = contents(entry.path());
   return result;
 }

@@ -1,5 +1,6 @@
 #include "tests/lsp/support/session.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 namespace proskill::test {
@@ -79,7 +80,8 @@ void Session::initialize() {
       {"hover", {{"contentFormat", Json::array({"markdown"})}}}};
   if (options.pull) text["diagnostic"] = Json::object();
   Json capabilities = {{"textDocument", text},
-                       {"workspace", {{"workspaceEdit", {{"documentChanges", true}}}}}};
+                       {"workspace", {{"workspaceEdit", {{"documentChanges", true}}}}},
+                       {"experimental", {{"verdicts", "all"}}}};
   capabilities["general"]["staleRequestSupport"] = {{"cancel", true},
                                                     {"retryOnContentModified", options.retried}};
   capabilities.merge_patch(options.capabilities);
@@ -130,6 +132,12 @@ Json Session::notified(std::string_view method) {
     if (message.contains("method") && message["method"] == method) return message["params"];
     notifications.push_back(std::move(message));
   }
+}
+
+bool Session::wasNotified(std::string_view method) const {
+  return std::ranges::any_of(notifications, [&](const Json& it) {
+    return it.contains("method") && it["method"] == method;
+  });
 }
 
 void Session::open(const std::string& uri, const std::string& text, int version) {

@@ -73,6 +73,8 @@ public:
   Json result(std::string_view method, const Json& params);
   /// The next notification of this method.
   Json notified(std::string_view method);
+  /// Whether such a notification was received, and not returned yet.
+  [[nodiscard]] bool wasNotified(std::string_view method) const;
   /// The next message of any kind.
   Json receive() { return pipe.receive(); }
   [[nodiscard]] bool hasMore() { return pipe.hasMore(); }

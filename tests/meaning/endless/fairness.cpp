@@ -30,13 +30,20 @@ template <class Holds> bool always(const Runs& runs, const Circle& circle, Holds
                              [&](std::size_t node) { return holds(runs.nodes()[node].situation); });
 }
 
-bool somethingLastsForEver(const Script& script, const Runs& runs, const Circle& circle) {
+/// Something that must end lasts for ever.
+bool lastsForEver(const Counted& counted, const Script& script, const Runs& runs,
+                  const Circle& circle) {
+  const auto mustEnd = [&](std::size_t skill) {
+    return counted.ending.empty() || counted.ending.contains(script.skills[skill].node->name.text);
+  };
   for (std::size_t i = 0; i < script.skills.size(); ++i)
-    if (!script.skills[i].isComposite() && takesAnyTime(script.skills[i].node->timeInterval) &&
+    if (mustEnd(i) && !script.skills[i].isComposite() &&
+        takesAnyTime(script.skills[i].node->timeInterval) &&
         always(runs, circle, [&](const auto& now) { return isRunning(now, i); }))
       return true;
   for (std::size_t i = 0; i < script.threads.size(); ++i)
-    if (always(runs, circle, [&](const auto& now) { return waitsForTime(script, now, i); }))
+    if (script.threads[i].skill != kNobody && mustEnd(script.threads[i].skill) &&
+        always(runs, circle, [&](const auto& now) { return waitsForTime(script, now, i); }))
       return true;
   return false;
 }
@@ -52,11 +59,11 @@ bool isUnbounded(const Node& node) {
          });
 }
 
-bool isFair(const Script& script, const Runs& runs, const Circle& circle) {
+bool isFair(const Counted& counted, const Script& script, const Runs& runs, const Circle& circle) {
   const bool passes = circle.timeGoesOn || std::ranges::any_of(circle.nodes, [&](std::size_t node) {
                         return isUnbounded(runs.nodes()[node]);
                       });
-  if (!passes || somethingLastsForEver(script, runs, circle)) return false;
+  if (!passes || lastsForEver(counted, script, runs, circle)) return false;
   const std::size_t ages = runs.nodes()[*circle.nodes.begin()].situation.ages.size();
   for (std::size_t i = 0; i < ages; ++i)
     if (std::ranges::none_of(circle.nodes, [&](std::size_t node) {
@@ -78,17 +85,23 @@ bool isStuck(const Runs& runs, std::size_t node) {
 
 } // namespace
 
-bool counts(Counted counted, const Script& script, const Runs& runs, const Circle& circle) {
-  return counted == Counted::All ? circle.hasStep : isFair(script, runs, circle);
+Counted countedBy(const syntax::Property& property) {
+  Counted counted{.all = !property.fair.value_or(true)};
+  for (const auto& skill : property.fairSkills) counted.ending.insert(skill.text);
+  return counted;
 }
 
-bool mayRest(Counted counted, const Script& script, const Runs& runs, std::size_t node) {
-  if (counted == Counted::All) return isStuck(runs, node);
+bool counts(const Counted& counted, const Script& script, const Runs& runs, const Circle& circle) {
+  return counted.all ? circle.hasStep : isFair(counted, script, runs, circle);
+}
+
+bool mayRest(const Counted& counted, const Script& script, const Runs& runs, std::size_t node) {
+  if (counted.all) return isStuck(runs, node) || isUnbounded(runs.nodes()[node]);
   return isUnbounded(runs.nodes()[node]) &&
-         !somethingLastsForEver(script, runs, {.nodes = {node}, .timeGoesOn = true});
+         !lastsForEver(counted, script, runs, {.nodes = {node}, .timeGoesOn = true});
 }
 
-std::vector<bool> goOn(Counted counted, const Script& script, const Runs& runs,
+std::vector<bool> goOn(const Counted& counted, const Script& script, const Runs& runs,
                        const std::vector<bool>& nodes, const Allowed& edge) {
   struct Way {
     std::size_t target;

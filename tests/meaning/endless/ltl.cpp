@@ -31,13 +31,30 @@ struct Rest {
 };
 
 bool isTemporal(const Expr& formula) {
-  return formula.kind == ExprKind::Globally || formula.kind == ExprKind::Finally ||
-         formula.kind == ExprKind::Until || formula.kind == ExprKind::Next ||
-         std::ranges::any_of(formula.operands, isTemporal);
+  return formula.kind >= ExprKind::Globally || std::ranges::any_of(formula.operands, isTemporal);
 }
 
 bool hasNext(const Expr& formula) {
   return formula.kind == ExprKind::Next || std::ranges::any_of(formula.operands, hasNext);
+}
+
+/// Whether a formula is about the first step, as it is outside `[]` and `<>`.
+bool asksFirstStep(const Expr& formula) {
+  if (formula.kind == ExprKind::Globally || formula.kind == ExprKind::Finally) return false;
+  return formula.operands.empty() || std::ranges::any_of(formula.operands, asksFirstStep);
+}
+
+/// Whether the translation makes steps that the interpreter does not: choices of initial values,
+/// and steps of processes that observe durations and moves.
+bool hasOtherSteps(const Script& script) {
+  const auto isObserved = [](const syntax::StateVariable* variable) {
+    return variable->isNatural() || !variable->otherInits.empty() ||
+           variable->transitionsKind == syntax::Transitions::Listed;
+  };
+  return std::ranges::any_of(script.variables, isObserved) ||
+         std::ranges::any_of(script.skills, [](const SkillEntry& skill) {
+           return skill.isComposite() && skill.node->timeInterval;
+         });
 }
 
 /// All ways to fulfil some obligations at one point.
@@ -88,7 +105,13 @@ private:
       return choose(with(todo, {{&parts[0], false}, {&parts[1], !value}}), rest);
     case ExprKind::Globally:
     case ExprKind::Finally: return unfoldOften(wish, todo, rest);
-    case ExprKind::Until: return unfoldUntil(wish, todo, rest);
+    case ExprKind::Until:
+    case ExprKind::WeakUntil:
+    case ExprKind::Release:
+    case ExprKind::StrongRelease: return unfoldUntil(wish, todo, rest);
+    case ExprKind::Next:
+      rest.next.insert({&parts[0], value});
+      return choose(std::move(todo), std::move(rest));
     default: return; // no other operator is temporal
     }
   }
@@ -111,17 +134,22 @@ private:
     choose(todo, rest);
   }
 
+  /// `a R b` is `not (not a U not b)`, and `a M b` is `not (not a W not b)`.
   void unfoldUntil(Wish wish, const List& todo, Rest rest) {
     const auto& parts = wish.formula->operands;
+    const auto kind = wish.formula->kind;
+    const bool dual = kind == ExprKind::Release || kind == ExprKind::StrongRelease;
+    const bool weak = kind == ExprKind::WeakUntil || kind == ExprKind::StrongRelease;
+    const bool value = wish.value != dual; // of the `until`
     const Wish first{&parts[0], wish.value};
     const Wish second{&parts[1], wish.value};
-    if (wish.value)
+    if (value)
       choose(with(todo, {second}), rest);
     else
       choose(with(todo, {first, second}), rest);
     rest.next.insert(wish);
-    if (wish.value) rest.late.insert(wish);
-    choose(with(todo, {wish.value ? first : second}), rest);
+    if (value != weak) rest.late.insert(wish);
+    choose(with(todo, {value ? first : second}), rest);
   }
 
   std::function<bool(const Expr&)> holds;
@@ -131,7 +159,7 @@ private:
 /// Searches for a run that violates the formula: a cycle on which nothing is postponed for ever.
 class Search {
 public:
-  Search(Counted which, const Script& from, const Runs& of, const Seen& in)
+  Search(const Counted& which, const Script& from, const Runs& of, const Seen& in)
       : counted(which), script(from), runs(of), seen(in) {}
 
   /// nullopt if there are too many places
@@ -224,7 +252,8 @@ private:
 std::optional<bool> holdsInRuns(const syntax::Property& property, const Script& script,
                                 const Runs& runs, const Seen& seen) {
   const Expr& formula = property.operands[0];
-  if (hasNext(formula)) return std::nullopt;
+  if (hasNext(formula) && hasOtherSteps(script)) return std::nullopt;
+  if (asksFirstStep(formula) && script.eventsBecomeDue) return std::nullopt;
   const auto violated = Search(countedBy(property), script, runs, seen).findsRun({&formula, false});
   if (!violated) return std::nullopt;
   return !*violated;

@@ -12,8 +12,7 @@ using Seen = std::function<bool(const syntax::Expr&, const Situation&, const std
 /// Whether a formula of linear temporal logic is true of all counted runs, as sequences of
 /// situations and steps; the last situation of a finite run is repeated for ever. Searches for a
 /// violation with a tableau: Wolper, "The tableau method for temporal logic" (1985). nullopt for
-/// formulas with `()`, since steps differ from those of the translation, and for too many
-/// situations.
+/// formulas with `()` where the translation makes other steps, and for too many situations.
 [[nodiscard]] std::optional<bool> holdsInRuns(const syntax::Property& property,
                                               const Script& script, const Runs& runs,
                                               const Seen& seen);

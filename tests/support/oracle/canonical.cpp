@@ -7,19 +7,19 @@ namespace {
 
 using namespace proskill::fiacre; // NOLINT: the tree's own words
 
-void mend(Expr& expr);
+void canonicalise(Expr& expr);
 
 /// The operands of a chain of `and` or of `or`, from the left.
 void collect(Expr& expr, Op op, std::vector<Expr>& operands) {
   if (expr.kind != ExprKind::Binary || expr.op != op) {
-    mend(expr);
+    canonicalise(expr);
     return operands.push_back(std::move(expr));
   }
   collect(expr.operands[0], op, operands);
   collect(expr.operands[1], op, operands);
 }
 
-void mend(Expr& expr) {
+void canonicalise(Expr& expr) {
   if (expr.kind == ExprKind::Binary && (expr.op == Op::And || expr.op == Op::Or)) {
     std::vector<Expr> operands;
     const auto op = expr.op;
@@ -29,21 +29,21 @@ void mend(Expr& expr) {
       expr = Expr{.kind = ExprKind::Binary, .op = op, .operands = {expr, operands[i]}};
     return;
   }
-  for (auto& operand : expr.operands) mend(operand);
+  for (auto& operand : expr.operands) canonicalise(operand);
   if (expr.kind == ExprKind::Unary && expr.op == Op::Negate &&
       expr.operands[0].kind == ExprKind::Number && expr.operands[0].number > 0)
     expr = Expr{.kind = ExprKind::Number, .number = -expr.operands[0].number};
 }
 
-void mend(Type& type) {
+void canonicalise(Type& type) {
   for (auto& member : type.members) {
     member.comment.clear();
-    for (auto& inner : member.type) mend(inner);
+    for (auto& inner : member.type) canonicalise(inner);
   }
-  for (auto& element : type.element) mend(element);
+  for (auto& element : type.element) canonicalise(element);
 }
 
-void mend(Statement& statement);
+void canonicalise(Statement& statement);
 
 void flatten(Statement& statement, std::vector<Statement>& all) {
   if (statement.kind == StatementKind::Comment) return;
@@ -51,18 +51,18 @@ void flatten(Statement& statement, std::vector<Statement>& all) {
     for (auto& child : statement.children) flatten(child, all);
     return;
   }
-  mend(statement);
+  canonicalise(statement);
   all.push_back(std::move(statement));
 }
 
-void mend(Statement& statement) {
+void canonicalise(Statement& statement) {
   statement.comment.clear();
   statement.origin = 0;
-  for (auto& target : statement.targets) mend(target);
-  for (auto& value : statement.values) mend(value);
+  for (auto& target : statement.targets) canonicalise(target);
+  for (auto& value : statement.values) canonicalise(value);
   if (statement.kind == StatementKind::Comment) statement = {};
   if (statement.kind != StatementKind::Sequence) {
-    for (auto& child : statement.children) mend(child);
+    for (auto& child : statement.children) canonicalise(child);
     return;
   }
   std::vector<Statement> all;
@@ -74,87 +74,87 @@ void mend(Statement& statement) {
     statement.children = std::move(all);
 }
 
-void mend(std::vector<Variable>& variables) {
+void canonicalise(std::vector<Variable>& variables) {
   for (auto& variable : variables) {
     variable.comment.clear();
-    mend(variable.type);
-    if (variable.init) mend(*variable.init);
+    canonicalise(variable.type);
+    if (variable.init) canonicalise(*variable.init);
   }
 }
 
-void mend(Observable& observable) {
-  mend(observable.value);
-  for (auto& operand : observable.operands) mend(operand);
+void canonicalise(Observable& observable) {
+  canonicalise(observable.value);
+  for (auto& operand : observable.operands) canonicalise(operand);
 }
 
-void mend(std::vector<Port>& ports) {
+void canonicalise(std::vector<Port>& ports) {
   for (auto& port : ports) {
     port.comment.clear();
     port.origin = 0;
-    if (port.probe) mend(*port.probe);
-    for (auto& value : port.values) mend(value);
+    if (port.probe) canonicalise(*port.probe);
+    for (auto& value : port.values) canonicalise(value);
   }
 }
 
-void mend(Process& process) {
+void canonicalise(Process& process) {
   process.comment.clear();
   process.origin = 0;
-  mend(process.ports);
-  mend(process.variables);
+  canonicalise(process.ports);
+  canonicalise(process.variables);
   for (auto& state : process.states) state.origin = 0;
-  if (process.init) mend(*process.init);
+  if (process.init) canonicalise(*process.init);
   for (auto& from : process.transitions) {
     from.comment.clear();
     from.origin = 0;
-    mend(from.statement);
+    canonicalise(from.statement);
   }
 }
 
-void mend(std::vector<Instance>& instances) {
+void canonicalise(std::vector<Instance>& instances) {
   for (auto& instance : instances) {
-    mend(instance.parts);
+    canonicalise(instance.parts);
     instance.references.resize(instance.arguments.size());
-    for (auto& argument : instance.arguments) mend(argument);
+    for (auto& argument : instance.arguments) canonicalise(argument);
   }
 }
 
-void mend(Component& component) {
+void canonicalise(Component& component) {
   component.comment.clear();
-  mend(component.interfacePorts);
-  mend(component.variables);
-  mend(component.ports);
-  if (component.init) mend(*component.init);
-  mend(component.instances);
+  canonicalise(component.interfacePorts);
+  canonicalise(component.variables);
+  canonicalise(component.ports);
+  if (component.init) canonicalise(*component.init);
+  canonicalise(component.instances);
 }
 
-void mend(Property& property) {
+void canonicalise(Property& property) {
   property.comment.clear();
   property.origin = 0;
   if (property.pattern.kind == PatternKind::DeadlockFree) property.pattern.operands.clear();
-  for (auto& operand : property.pattern.operands) mend(operand);
+  for (auto& operand : property.pattern.operands) canonicalise(operand);
 }
 
 } // namespace
 
 Program canonical(Program program) {
   program.comment.clear();
-  for (auto& constant : program.constants) mend(constant.value);
+  for (auto& constant : program.constants) canonicalise(constant.value);
   for (auto& declared : program.types) {
     declared.comment.clear();
-    mend(declared.type);
+    canonicalise(declared.type);
   }
   for (auto& event : program.eventPorts) event.port.comment.clear();
   for (auto& function : program.functions) {
     function.comment.clear();
-    mend(function.variables);
-    mend(function.body);
+    canonicalise(function.variables);
+    canonicalise(function.body);
   }
-  for (auto& process : program.processes) mend(process);
-  for (auto& component : program.components) mend(component);
+  for (auto& process : program.processes) canonicalise(process);
+  for (auto& component : program.components) canonicalise(component);
   for (auto& each : program.observers) each.origin = 0;
   std::erase_if(program.properties,
                 [](const Property& it) { return it.pattern.kind == PatternKind::Progress; });
-  for (auto& property : program.properties) mend(property);
+  for (auto& property : program.properties) canonicalise(property);
   return program;
 }
 

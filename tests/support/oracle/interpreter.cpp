@@ -224,7 +224,13 @@ std::vector<Path> Interpreter::paths(std::size_t instance, const Store& store) c
   return all;
 }
 
-std::vector<Firing> Interpreter::firings(const Store& store) const {
+const std::vector<Firing>& Interpreter::firings(const Store& store) const {
+  const auto found = known.find(store);
+  return found != known.end() ? found->second
+                              : known.emplace(store, computeFirings(store)).first->second;
+}
+
+std::vector<Firing> Interpreter::computeFirings(const Store& store) const {
   std::vector<Firing> result;
   std::vector<std::vector<Path>> all;
   for (std::size_t i = 0; i < elaborated.size(); ++i) {

@@ -82,8 +82,9 @@ public:
   explicit Interpreter(const fiacre::Program& program, Reading reading = Reading::Engine);
 
   [[nodiscard]] const Store& initial() const { return first; }
-  /// Every step that the discrete state allows, ignoring time. \throw ModelError
-  [[nodiscard]] std::vector<Firing> firings(const Store& store) const;
+  /// Every step that the discrete state allows, ignoring time. They are computed once and stay
+  /// valid. \throw ModelError
+  [[nodiscard]] const std::vector<Firing>& firings(const Store& store) const;
   /// Whether one step has priority over the other.
   [[nodiscard]] bool goesBefore(const Firing& high, const Firing& low) const;
   [[nodiscard]] const std::vector<Instance>& instances() const { return elaborated; }
@@ -121,6 +122,7 @@ private:
   void declare(const std::vector<fiacre::Variable>& variables, Scope& scope);
   Place allocate(const fiacre::Type& type);
   void start(std::size_t instance);
+  [[nodiscard]] std::vector<Firing> computeFirings(const Store& store) const;
   [[nodiscard]] std::vector<Path> paths(std::size_t instance, const Store& store) const;
   void synchronise(std::size_t port, const std::vector<std::vector<Path>>& all, const Store& store,
                    std::vector<Firing>& result) const;
@@ -148,6 +150,7 @@ private:
   // Clocks are numbered when they first occur.
   mutable std::map<std::vector<std::uint64_t>, ClockId> clockNumbers;
   mutable std::vector<std::vector<std::size_t>> clockParticipants;
+  mutable std::map<Store, std::vector<Firing>> known; ///< the firings by state
 };
 
 } // namespace proskill::oracle

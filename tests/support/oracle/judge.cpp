@@ -79,6 +79,34 @@ bool timeCanAlwaysPass(const RegionGraph& graph) {
   return std::ranges::all_of(good, std::identity{});
 }
 
+/// Whether every node has a way, by steps and time, to one that sees something.
+template <class Predicate> bool alwaysLeadsTo(const RegionGraph& graph, Predicate sees) {
+  const auto& nodes = graph.nodes();
+  std::vector<std::vector<std::size_t>> before(nodes.size());
+  std::vector<bool> good(nodes.size());
+  std::vector<std::size_t> todo;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const DiscreteState& state = graph.discrete(nodes[i].discrete);
+    good[i] = sees(Moment{&state.store, nullptr});
+    for (const auto& edge : nodes[i].edges) {
+      before[edge.target].push_back(i);
+      good[i] = good[i] || sees(Moment{&state.store, &state.firings[edge.firing]});
+    }
+    if (nodes[i].later) before[*nodes[i].later].push_back(i);
+    if (good[i]) todo.push_back(i);
+  }
+  while (!todo.empty()) {
+    const std::size_t node = todo.back();
+    todo.pop_back();
+    for (std::size_t source : before[node]) {
+      if (good[source]) continue;
+      good[source] = true;
+      todo.push_back(source);
+    }
+  }
+  return std::ranges::all_of(good, std::identity{});
+}
+
 } // namespace
 
 bool observed(const Interpreter& model, const Observable& observable, Moment moment) {
@@ -123,6 +151,7 @@ std::optional<bool> isTrue(const Interpreter& model, const RegionGraph& graph,
   case PatternKind::Always: return !somewhere(graph, [&](Moment moment) { return !sees(moment); });
   case PatternKind::DeadlockFree: return !canStop(model, graph, pattern.operands);
   case PatternKind::Progress: return timeCanAlwaysPass(graph);
+  case PatternKind::AlwaysReachable: return alwaysLeadsTo(graph, sees);
   default: return std::nullopt;
   }
 }

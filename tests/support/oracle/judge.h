@@ -14,8 +14,8 @@ struct Moment {
                             Moment moment);
 
 /// Whether the pattern is true of the model, by examining every node. Supports Absent, Always,
-/// DeadlockFree and Progress without scopes and times; nullopt for others. \pre the graph is
-/// complete
+/// DeadlockFree, Progress and AlwaysReachable without scopes and times; nullopt for others. \pre
+/// the graph is complete
 [[nodiscard]] std::optional<bool> isTrue(const Interpreter& model, const RegionGraph& graph,
                                          const fiacre::Pattern& pattern);
 

@@ -323,6 +323,11 @@ private:
     ask(PatternKind::DeadlockFree, {});
     ask(PatternKind::DeadlockFree, {stateOf(1, "s1")});
     ask(PatternKind::Progress, {});
+    ask(PatternKind::AlwaysReachable, {value()});
+    ask(PatternKind::AlwaysReachable, {stateOf(1, "s1")});
+    if (!component.ports.empty())
+      ask(PatternKind::AlwaysReachable,
+          {{.kind = ObservableKind::Event, .name = component.ports[0].name}});
   }
 
   Observable value() { return {.kind = ObservableKind::Value, .value = test(scalars)}; }

@@ -8,6 +8,8 @@ namespace proskill::test {
 
 namespace {
 
+const std::vector<std::string> kUntils{"W", "R", "M"};
+
 /// Generates the definitions, one kind at a time.
 class Definitions {
 public:
@@ -41,7 +43,7 @@ private:
     Form values;
     for (const auto& value : variable.values) values.add(value);
     form.addAll({":states", values, ":init", initial(variable.values)});
-    if (random.chance(40)) return form;
+    if (size.next > 0 || random.chance(40)) return form;
     form.add(":transitions");
     if (random.chance(25))
       form.add(":all");
@@ -72,6 +74,8 @@ private:
     Form form{"defevent", name};
     if (std::ranges::find(words.emitted, name) == words.emitted.end())
       form.addAll({":every", phrase.every()});
+    else if (random.chance(size.guarded))
+      form.addAll({":guard", list(phrase.condition())});
     form.addAll({":effects", phrase.effects()});
     return form;
   }
@@ -92,6 +96,13 @@ private:
 
   Form skill(std::size_t index) {
     const SkillWords skill = words.skills[index];
+    phrase.writeIn(&skill);
+    Form form = definition(index, skill);
+    phrase.writeIn(nullptr);
+    return form;
+  }
+
+  Form definition(std::size_t index, const SkillWords& skill) {
     Form form{"defskill", skill.name};
     if (skill.monitor) form.addAll({":monitor", index % 2 == 0 ? "always" : "t"});
     if (!skill.inputs.empty()) form.addAll({":input", inputs(skill)});
@@ -194,8 +205,8 @@ private:
   }
 
   void addProperty(std::size_t number) {
-    static const std::vector<std::string> heads{"always", "never", "reachable", "absent",
-                                                "present"};
+    static const std::vector<std::string> heads{"always", "never",   "reachable",
+                                                "absent", "present", "always_reachable"};
     Form body{"deadlockfree"};
     if (size.scopes > 0 && random.chance(size.scopes))
       body = withScope();
@@ -213,13 +224,29 @@ private:
     const bool isOfEnd =
         head == "present" || head == "infinitelyoften" || head == "leadsto" || head == "ltl";
     const bool isTimed = std::ranges::find(body.items, Form(":within")) != body.items.end();
-    if (isOfEnd && !isTimed && random.chance(30))
-      body.addAll({":fair", random.chance(70) ? "nil" : "t"});
+    if (!isOfEnd || isTimed || !random.chance(30)) return;
+    body.add(":fair");
+    if (random.chance(70))
+      body.add("nil");
+    else if (random.chance(30))
+      body.add("t");
+    else
+      body.add(someSkills());
+  }
+
+  Form someSkills() {
+    Form some{random.pick(words.skills).name};
+    for (const auto& skill : words.skills)
+      if (skill.name != some.items.front().word && random.chance(30)) some.add(skill.name);
+    return some;
   }
 
   /// A pattern with scopes and times, in a meaningful combination.
   Form withScope() {
     static const std::vector<std::string> heads{"present", "absent", "leadsto"};
+    if (random.chance(20))
+      return {random.chance(50) ? "longest" : "shortest", phrase.proposition(1),
+              phrase.proposition(1)};
     const auto head = random.pick(heads);
     Form form{head, phrase.proposition(1)};
     if (head == "leadsto") {
@@ -237,6 +264,7 @@ private:
   }
 
   Form ofRuns() {
+    if (size.next > 0 && random.chance(size.next)) return {"ltl", formula(3)};
     if (random.chance(40)) return {"infinitelyoften", phrase.proposition(1)};
     if (random.chance(40))
       return {random.chance(50) ? "leadsto" : "precedes", phrase.proposition(1),
@@ -246,10 +274,13 @@ private:
 
   Form formula(std::size_t depth) {
     if (depth == 0) return phrase.proposition(1);
-    switch (random.below(4)) {
-    case 0: return {"[]", formula(depth - 1)};
-    case 1: return {"<>", formula(depth - 1)};
-    case 2: return {"until", formula(depth - 1), formula(depth - 1)};
+    if (size.next > 0 && random.chance(size.next))
+      return {Form(random.chance(50) ? "()" : "X"), formula(depth - 1)};
+    switch (random.below(5)) {
+    case 0: return {random.chance(50) ? "[]" : "G", formula(depth - 1)};
+    case 1: return {random.chance(50) ? "<>" : "F", formula(depth - 1)};
+    case 2: return {random.chance(50) ? "until" : "U", formula(depth - 1), formula(depth - 1)};
+    case 3: return {random.pick(kUntils), formula(depth - 1), formula(depth - 1)};
     default: return {random.chance(50) ? "=>" : "or", formula(depth - 1), formula(depth - 1)};
     }
   }

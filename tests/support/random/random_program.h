@@ -28,10 +28,19 @@ struct ProgramSize {
   unsigned scopes = 0;       ///< per cent of properties with a scope or a time
   unsigned open = 15;        ///< per cent of state variables with several initial values
   unsigned every = 30;       ///< per cent of events with `:every`
+  unsigned guarded = 35;     ///< per cent of the other events with `:guard`
   unsigned forks = 25;       ///< per cent of compound statements
   unsigned races = 40;       ///< per cent of forks that are races
+  unsigned inputs = 0;       ///< per cent of uses of values that are inputs of the skill
+  unsigned next = 0;         ///< per cent of formulas that begin with `()`
   unsigned labels = 0;       ///< per cent of tests, waits and interrupts with a label before them
 };
+
+/// The same size; every third program reads inputs of its skills.
+[[nodiscard]] inline ProgramSize varied(std::uint64_t seed, ProgramSize size = {}) {
+  if (seed % 3 == 0) size.inputs = 60;
+  return size;
+}
 
 /// A well-formed program: `analysis::check` finds no errors, possibly warnings. Many seeds cover
 /// every statement and field of the language, and names that Fiacre reserves or generated code

@@ -6,10 +6,13 @@ namespace proskill::test {
 
 namespace {
 
+/// A state variable with such a name is not the type of an input.
+const std::vector<std::string> kTypes{"int", "nat", "float", "bool", "string"};
+
 /// Generates names that are unique among definitions of a kind.
-class Namer {
+class UniqueNames {
 public:
-  explicit Namer(RandomSource& source) : random(source) {}
+  explicit UniqueNames(RandomSource& source) : random(source) {}
 
   /// Usually a plain name; sometimes a word that Fiacre or the generated code uses, but not a
   /// keyword of statements, which could not be called.
@@ -67,7 +70,8 @@ VariableWords enumeration(RandomSource& random, std::string name) {
   return variable;
 }
 
-SkillWords skill(RandomSource& random, std::string name, const Words& words) {
+SkillWords skill(RandomSource& random, std::string name, const Words& words,
+                 const ProgramSize& size) {
   SkillWords result;
   result.name = std::move(name);
   result.interruptible = random.chance(40);
@@ -77,10 +81,9 @@ SkillWords skill(RandomSource& random, std::string name, const Words& words) {
   if (!result.failures.empty() && !result.successes.empty() &&
       result.failures[0] == result.successes[0])
     result.failures[0] = "lost";
-  static const std::vector<std::string> types{"int", "nat", "float", "bool", "string"};
-  while (random.chance(20)) {
-    bool known = random.chance(20) && !words.variables.empty();
-    std::string type = known ? random.pick(words.variables).name : random.pick(types);
+  while (random.chance(std::max(20U, size.inputs))) {
+    bool known = random.chance(std::max(20U, size.inputs)) && !words.variables.empty();
+    std::string type = known ? random.pick(words.variables).name : random.pick(kTypes);
     if (result.inputs.size() < 3)
       result.inputs.emplace_back("a" + std::to_string(result.inputs.size()), type);
   }
@@ -88,9 +91,9 @@ SkillWords skill(RandomSource& random, std::string name, const Words& words) {
 }
 
 void addSkills(RandomSource& random, const ProgramSize& size, Words& words) {
-  Namer namer(random);
+  UniqueNames names(random);
   auto add = [&](const std::string& stem, bool composite, bool monitor) {
-    words.skills.push_back(skill(random, namer.draw(stem), words));
+    words.skills.push_back(skill(random, names.draw(stem), words, size));
     words.skills.back().composite = composite;
     words.skills.back().monitor = monitor;
     if (!composite || !monitor) return;
@@ -110,19 +113,19 @@ void addSkills(RandomSource& random, const ProgramSize& size, Words& words) {
 Words randomWords(RandomSource& random, const ProgramSize& size) {
   Words words;
   words.library = random.chance(size.library);
-  Namer variables(random);
+  UniqueNames variables(random);
   for (std::size_t i = 1 + random.below(size.stateVariables); i > 0; --i)
     words.variables.push_back(enumeration(random, variables.draw("v")));
   for (std::size_t i = random.below(size.naturals + 1); i > 0; --i) {
     std::int64_t low = random.between(0, 1);
     words.variables.push_back({variables.draw("n"), {}, low, low + random.between(1, 2)});
   }
-  Namer events(random);
+  UniqueNames events(random);
   for (std::size_t i = random.below(size.events + 1); i > 0; --i)
     words.events.push_back(events.draw("e"));
   for (const auto& event : words.events)
     if (!random.chance(size.every)) words.emitted.push_back(event);
-  Namer resources(random);
+  UniqueNames resources(random);
   for (std::size_t i = random.below(size.resources + 1); i > 0; --i)
     words.resources.push_back(resources.draw("r"));
   addSkills(random, size, words);
@@ -165,7 +168,22 @@ std::string Phrases::literal(const std::string& type) {
   return "0";
 }
 
+/// An input of the skill that has the values of the variable.
+std::optional<std::string> Phrases::inputOf(const VariableWords& variable) {
+  if (!writtenIn || size.inputs == 0 || !random.chance(size.inputs)) return std::nullopt;
+  if (std::ranges::find(kTypes, variable.name) != kTypes.end()) return std::nullopt;
+  std::vector<std::string> all;
+  for (const auto& [name, type] : writtenIn->inputs)
+    if (type == variable.name) all.push_back("$" + name);
+  if (all.empty()) return std::nullopt;
+  return random.pick(all);
+}
+
 Form Phrases::effect(const VariableWords& variable) {
+  if (const auto input = inputOf(variable)) {
+    if (!variable.values.empty() || random.chance(50)) return {variable.name, *input};
+    return {variable.name, Form{random.chance(50) ? "+" : "-", variable.name, *input}};
+  }
   if (!variable.values.empty()) return {variable.name, random.pick(variable.values)};
   if (random.chance(50))
     return {variable.name, std::to_string(random.between(variable.low, variable.high))};
@@ -184,6 +202,10 @@ Form Phrases::effects() {
 Form Phrases::comparisonOfNaturals(const VariableWords& variable) {
   static const std::vector<std::string> operators{"=", "/=", "<", "<=", ">", ">="};
   std::string number = std::to_string(random.between(variable.low, variable.high));
+  if (const auto input = inputOf(variable)) {
+    if (random.chance(50)) return {variable.name, *input};
+    return {random.pick(operators), *input, random.chance(50) ? number : variable.name};
+  }
   if (random.chance(25)) return {variable.name, number};
   Form left = variable.name;
   if (random.chance(30)) left = {random.chance(70) ? "+" : "-", variable.name, "1"};
@@ -211,6 +233,11 @@ Form Phrases::comparison() {
   const auto& variable = random.pick(vocabulary.variables);
   if (variable.values.empty()) return comparisonOfNaturals(variable);
   std::string value = random.pick(variable.values);
+  if (const auto input = inputOf(variable)) {
+    if (random.chance(40)) return {variable.name, *input};
+    return {random.chance(60) ? "=" : "/=", random.chance(70) ? Form(*input) : Form(variable.name),
+            random.chance(70) ? Form(value) : Form(*input)};
+  }
   if (random.chance(60)) return {variable.name, value};
   return {random.chance(60) ? "=" : "/=", variable.name, value};
 }

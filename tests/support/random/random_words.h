@@ -58,6 +58,8 @@ public:
   /// An interval in which time can pass.
   [[nodiscard]] std::string every();
   [[nodiscard]] std::string literal(const std::string& type);
+  /// From here on, phrases are parts of this skill and may read its inputs; null: of no skill.
+  void writeIn(const SkillWords* skill) { writtenIn = skill; }
 
 private:
   [[nodiscard]] Form comparison();
@@ -67,10 +69,12 @@ private:
   [[nodiscard]] Form observation();
   [[nodiscard]] Form connect(bool widened, std::size_t depth);
   [[nodiscard]] std::string seconds(std::int64_t least);
+  [[nodiscard]] std::optional<std::string> inputOf(const VariableWords& variable);
 
   RandomSource& random;
   const Words& vocabulary;
   const ProgramSize& size;
+  const SkillWords* writtenIn = nullptr;
 };
 
 } // namespace proskill::test

@@ -1,6 +1,6 @@
 // A new user, and how long things take after a click. Figures are printed, and nothing is asserted of them.
 // PROSKILL_TYPE_DELAY=200 types as a person does, for the stopwatch: milliseconds a key.
-import { mkdirSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { loadavg } from 'node:os';
 import { join } from 'node:path';
 import { equal, expect } from '../expect.mjs';
@@ -8,14 +8,26 @@ import { equal, expect } from '../expect.mjs';
 const kDelay = Number(process.env.PROSKILL_TYPE_DELAY ?? 5);
 const kDrone = 'drone/drone.proskill';
 
-/** The program that the walkthrough asks for; the editor closes parentheses and indents by itself. */
-const kFirst = [
-  '(defsv door :states (Open Shut) :init Shut :transitions ((Shut Open) (Open Shut)))',
-  '(defskill open_door :time_interval [1,2] :action (open) :success open (:effects (door Open)))',
-  '(defskill drive :time_interval [5,9] :action (drive) :success there)',
-  '(defskill mission :success done :body ((open_door) (drive) (success done)))',
-  '(defproperty drives_shut (never (and (running drive) (door Open))))',
-];
+/** The lines of the program on a page of the walkthrough. */
+const programOn = (page) =>
+  /```proskill\n([^]*?)\n```/.exec(readFileSync(new URL(`../../../vscode-extension/walkthrough/${page}.md`, import.meta.url), 'utf8'))[1].split('\n');
+
+/** The program that the walkthrough asks for; the editor closes parentheses, indents, and formats a definition when it is complete. */
+const kFirst = programOn('write');
+/** What the walkthrough inserts, and before what. */
+const kFix = '(set (door Shut)) ';
+const kFixBefore = '(drive)';
+
+const kTyped = ['(defskill wait_a_moment', ':success done', ':body', '(^ [1,2])', '(success done)))'];
+const kFormatted = '(defskill wait_a_moment :success done :body ((^ [1,2]) (success done)))';
+/** A hint at the end of the first line. */
+const kDuration = ' 1 to 2 s';
+
+/** The visible lines of the text that has no name yet. */
+const shownText = async (page) => (await page.evaluate(() => [...document.querySelectorAll('.monaco-editor[data-uri^="untitled:"] .view-line')]
+  .sort((a, b) => parseFloat(a.style.top) - parseFloat(b.style.top)).map((it) => it.textContent).join('\n'))).replaceAll('\u00a0', ' ');
+
+const words = (text) => text.replace(/\s+/g, ' ').trim();
 
 const lens = (page, text) => page.locator('.codelens-decoration a').filter({ hasText: text }).first();
 
@@ -46,8 +58,14 @@ export const scenarios = {
     await editor.picture('first-violated');
     // the door is closed before the robot drives
     await editor.press('Control+1');
-    await editor.goTo(4, kFirst[3].indexOf('(drive)') + 1);
-    await page.keyboard.type('(set (door Shut)) ', { delay: kDelay });
+    const mission = kFirst.find((it) => it.startsWith('(defskill mission'));
+    equal('the fix', mission.replace(kFixBefore, kFix + kFixBefore), words(programOn('fix').join('\n')).replace(/\( /g, '('));
+    await editor.press('Control+End', 'Control+f');
+    const find = page.locator('.find-widget.visible textarea[aria-label="Find"]');
+    await find.fill(kFixBefore);
+    await page.locator('.find-widget.visible .matchesCount', { hasText: /of \d/ }).waitFor();
+    await editor.press('Shift+Enter', 'Escape', 'ArrowLeft');
+    await page.keyboard.type(kFix, { delay: kDelay });
     await editor.press('Escape');
     await frame.locator('.badge.holds:visible').waitFor({ timeout: 60_000 });
     const seconds = (to) => ((to - begin) / 1000).toFixed(0);
@@ -60,10 +78,56 @@ export const scenarios = {
     await editor.command('View: Close All Editors');
   },
 
-  /** From a click on a lens to its result, with and without an open panel. */
+  /**
+   * A definition typed over several lines, at a person's speed: the editor closes each parenthesis, the server indents each line and formats the whole at
+   * its end, typing what the editor has closed adds nothing, and Enter after the name of an outcome takes no snippet. After `:body` it takes the parentheses of the body.
+   */
+  async typed_lines({ editor, page }) {
+    await editor.command('View: Close All Editors');
+    await editor.command('ProSkill: New Program');
+    await page.locator('.tab.active').filter({ hasText: 'Untitled' }).waitFor();
+    for (const [count, line] of kTyped.entries()) {
+      if (count) await editor.press('Enter');
+      await page.keyboard.type(line, { delay: Math.max(kDelay, 100) });
+    }
+    await expect('the definition as typed, formatted', async () => words(await shownText(page)).replace(kDuration, '') === kFormatted);
+    await editor.picture('typed_lines');
+    await expect('an empty text', async () => {
+      await editor.press('Control+z');
+      return !(await page.locator('.tab.active.dirty').count());
+    });
+    await editor.command('View: Close All Editors');
+  },
+
+  /** Definitions are offered where they may begin, with or without the parenthesis. */
+  async offered({ editor, page }) {
+    await editor.command('View: Close All Editors');
+    await editor.command('ProSkill: New Program');
+    await page.locator('.tab.active').filter({ hasText: 'Untitled' }).waitFor();
+    const list = page.locator('.suggest-widget.visible .monaco-list-row');
+    for (const typed of ['missi', '(missi']) {
+      await page.keyboard.type(typed, { delay: 50 });
+      await list.filter({ hasText: 'A skill made of others' }).first().waitFor();
+      if (typed[0] === '(') await editor.picture('offered');
+      await list.filter({ hasText: 'A skill made of others' }).first().click();
+      await expect('a composite skill', async () => /^\(defskill mission :success done :failure gave_up :body \(\(skill\).*\)$/.test(words(await shownText(page))));
+      await editor.press('Escape', 'Control+a', 'Delete');
+    }
+    await expect('an empty text', async () => {
+      await editor.press('Escape', 'Control+z');
+      return !(await page.locator('.tab.active.dirty').count());
+    });
+    await editor.command('View: Close All Editors');
+  },
+
+  /** From a click on a lens to its result, with and without an open panel. What the editor itself takes for a page, its Markdown preview shows. */
   async clicks({ editor, page }) {
     const figures = [];
     const begin = loadavg()[0].toFixed(1);
+    await editor.openFile('drone/README.md');
+    const preview = async () => (await editor.panel('body.vscode-body')).locator('h1').first().waitFor();
+    await timed(figures, "the editor's own preview", () => page.locator('.editor-actions .action-label[aria-label^="Open Preview to the Side"]').first().click(), preview);
+    await editor.command('View: Close All Editors');
     await editor.openFile(kDrone);
     await editor.goTo(161);
     await editor.statusSays(/\d+ bad, \d+ warnings?/, 60_000);

@@ -3,7 +3,10 @@ import { scenarios as automaton } from './automaton.mjs';
 import { scenarios as debugging } from './debugger.mjs';
 import { scenarios as editing } from './editing.mjs';
 import { scenarios as first } from './first.mjs';
+import { scenarios as imports } from './imports.mjs';
 import { scenarios as large } from './large.mjs';
+import { scenarios as mission } from './mission.mjs';
+import { scenarios as opening } from './opening.mjs';
 import { scenarios as picture } from './picture.mjs';
 import { scenarios as simulation } from './simulation.mjs';
 import { scenarios as testing } from './testing.mjs';
@@ -14,5 +17,5 @@ import { scenarios as verification } from './verification.mjs';
 import { scenarios as walkthrough } from './walkthrough.mjs';
 
 export const scenarios = {
-  ...trust, ...editing, ...automaton, ...picture, ...verification, ...testing, ...traces, ...typing, ...large, ...simulation, ...first, ...debugging, ...walkthrough,
+  ...trust, ...editing, ...automaton, ...picture, ...verification, ...testing, ...traces, ...opening, ...typing, ...imports, ...large, ...simulation, ...mission, ...first, ...debugging, ...walkthrough,
 };

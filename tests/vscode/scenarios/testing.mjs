@@ -1,5 +1,5 @@
 // The Testing view over time: outdated results, cancelled runs, live results.
-import { readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { copyFileSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { equal, expect } from '../expect.mjs';
 import { expand, row } from './verification.mjs';
@@ -7,14 +7,6 @@ import { expand, row } from './verification.mjs';
 const kDrone = 'drone/drone.proskill';
 const kSettings = '.vscode/settings.json';
 const mission = (page) => row(page, 'takes at least').first();
-
-/** Nine parallel skills, three times each: no explorer finishes within a minute. */
-function slowProgram() {
-  const names = Array.from({ length: 9 }, (_, i) => `s${i}`);
-  const skills = names.map((name, i) => `(defskill ${name} :time_interval [${i + 1},${i + 7}] :action (go) :success ok :failure no)`);
-  const branches = names.map((name) => `((${name}) (${name}) (${name}))`);
-  return `${skills.join('\n')}\n(defskill mission :success done :body ((// ${branches.join(' ')}) (success done)))\n`;
-}
 
 /** Two blinks of at most two seconds each. */
 const kBlink = `(defskill blink
@@ -75,10 +67,30 @@ export const scenarios = {
     await undone(world);
   },
 
+  /** Marks are beside definitions; on demand, statements have their own. */
+  async statements({ editor, page, server }) {
+    await editor.openFile(kDrone);
+    // an earlier attempt may have left them
+    if (server.userSettings()['proskill.testing.statements']) await editor.command('ProSkill: Show or Hide Marks of Statements');
+    await editor.goTo(160);
+    const marks = page.locator('.monaco-editor[data-uri$="drone.proskill"] .testing-run-glyph');
+    const lines = () => marks.evaluateAll((all) => all.map((it) => Math.round(it.getBoundingClientRect().top)).sort((a, b) => a - b));
+    await marks.first().waitFor();
+    const before = await lines();
+    await editor.command('ProSkill: Show or Hide Marks of Statements');
+    await expect('a mark beside each statement', async () => (await lines()).length > before.length + 3);
+    await page.locator('.monaco-editor[data-uri$="drone.proskill"] .codicon-testing-passed-icon').nth(3).waitFor();
+    await editor.picture('statements-marked');
+    await marks.last().click({ button: 'right' });
+    const marked = (await lines()).length;
+    await editor.choose('Show or Hide Marks of Statements');
+    await expect('the marks of definitions alone', async () => (await lines()).length < marked - 3);
+  },
+
   /** A long run is cancelled, and nothing remains of it. */
-  async cancel({ editor, page, server, root }) {
+  async cancel({ editor, page, server, root, tree }) {
     const path = join(root, 'lift/slow.proskill');
-    writeFileSync(path, slowProgram());
+    copyFileSync(join(tree, 'bench/missions/warehouse_fleet.proskill'), path); // takes more than a minute
     await editor.openFile('lift/slow.proskill');
     // the file has nothing to run until the editor knows its properties
     await page.locator('.monaco-editor[data-uri$="slow.proskill"] .testing-run-glyph').first().waitFor();

@@ -1,16 +1,25 @@
 // What can be done with traces: from a lens, filtered, pinned, compared, saved, opened again.
-import { execFileSync } from 'node:child_process';
-import { mkdirSync } from 'node:fs';
+import { execFileSync, spawnSync } from 'node:child_process';
+import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { equal, expect } from '../expect.mjs';
 import { choose, openFromFile, saved } from '../panel.mjs';
 import { failing, verified } from './verification.mjs';
 
 const kDrone = 'drone/drone.proskill';
+/** Waits in one long line, far below the skill's name. */
+const kWide = `(defskill wide :body\n${'; not in view\n'.repeat(101)}  (${'(^ 1) '.repeat(60)}))\n`;
+const kEndless = '(defskill m :body ((while true (^ 1))))';
 /** A lens above the mission, which has ten bad properties. */
 const lens = (page, text) => page.locator('.codelens-decoration', { hasText: '2 bad, 8 warnings' }).locator('a', { hasText: text });
 const steps = (frame) => frame.locator('.step');
 const count = (frame) => frame.locator('.count').textContent();
+
+/** Clicks a lens until its panel is there: a click has no effect while the lenses are drawn again. */
+const openBy = (editor, lenses, view) => expect(`${view}, opened by a lens`, async () => {
+  await lenses.first().click({ timeout: 5000 });
+  return editor.panel(view, 5000);
+});
 
 export const scenarios = {
   /** The lenses of the mission: verify it, open a trace of it, show its body. */
@@ -21,17 +30,39 @@ export const scenarios = {
     await page.locator('.notification-toast', { hasText: /ProSkill: 2 bad, 8 warnings, of 31\. uav_mission .*: violated/ }).first().waitFor();
     await editor.picture('lenses-verified');
     await editor.command('Notifications: Clear All Notifications');
-    await lens(page, /^✗ 2 bad/).first().click();
-    let frame = await editor.panel('.trace-view');
+    let frame = await openBy(editor, lens(page, /^✗ 2 bad/), '.trace-view');
     await frame.locator('.trace-head .badge.violated').waitFor();
     await editor.command('View: Close All Editors');
     await editor.openFile(kDrone);
     await editor.goTo(161);
-    await lens(page, 'show automaton').first().click();
-    frame = await editor.panel('.automaton-view');
+    frame = await openBy(editor, lens(page, 'show automaton'), '.automaton-view');
     await frame.locator('.ring.selected').waitFor();
     equal('the picture', await frame.locator('select.pictures').inputValue(), 'body uav_mission');
     await editor.command('View: Close All Editors');
+  },
+
+  /** A step far to the right in a line that is not in view: the line is shown from its beginning. */
+  async beginning({ editor, page, root }) {
+    await editor.command('View: Close All Editors');
+    writeFileSync(join(root, 'lift/wide.proskill'), kWide);
+    await editor.openFile('lift/wide.proskill');
+    await editor.statusSays(/\d+ of \d+ good/, 60_000);
+    await editor.command('ProSkill: Open Trace');
+    await editor.answer('wide.can_succeed');
+    const frame = await editor.panel('.trace-view');
+    await frame.locator('#step-0.current').waitFor();
+    await frame.locator('.steps').press('End');
+    await frame.locator('#step-61.current').waitFor();
+    await frame.locator('.steps').press('ArrowUp');
+    await frame.locator('#step-60.current').waitFor();
+    const code = page.locator('.monaco-editor[data-uri$="wide.proskill"]');
+    await code.locator('.line-numbers', { hasText: '103' }).waitFor();
+    await expect('the mark of the step', async () => (await editor.markedLines('wide.proskill'))[0] === 103);
+    equal('columns that are scrolled away', await code.evaluate((it) =>
+      Math.round(it.querySelector('.editor-scrollable').getBoundingClientRect().left - it.querySelector('.lines-content').getBoundingClientRect().left)), 0);
+    await editor.picture('beginning-shown');
+    await editor.command('View: Close All Editors');
+    rmSync(join(root, 'lift/wide.proskill'));
   },
 
   /** Filters by actor and by changes, pins a variable, searches, compares with another trace. */
@@ -118,6 +149,33 @@ export const scenarios = {
       await expect('the text of the first step, beside it', async () => (await editor.markedLines('drone.proskill'))[0] === 161);
     }
     await editor.picture('saves-opened');
+    await editor.command('View: Close All Editors');
+  },
+
+  /** A recording in MCAP: a short one at once, of a long one the part that the user chooses; stepped forth and back. */
+  async recordings({ editor, page, proskill, root }) {
+    const record = (name, program, ...options) => spawnSync(proskill, ['run', ...options, '--record', join(root, name), join(root, program)], { stdio: 'ignore' });
+    record('short.mcap', kDrone, '--seed', '3');
+    writeFileSync(join(root, 'endless.proskill'), kEndless);
+    record('long.mcap', 'endless.proskill', '--until', '2d');
+    await openFromFile({ editor, root }, 'short.mcap');
+    let frame = await editor.panel('.trace-view');
+    await frame.locator('#step-0.current').waitFor();
+    await editor.press('ArrowDown');
+    await frame.locator('#step-1.current').waitFor();
+    await editor.press('ArrowUp');
+    await frame.locator('#step-0.current').waitFor();
+    await expect('the text of the first step, beside it', async () => (await editor.markedLines('drone.proskill')).length > 0);
+    await editor.picture('recordings-short');
+    await editor.command('View: Close All Editors');
+    await openFromFile({ editor, root }, 'long.mcap');
+    await expect('the question for a part', async () => (await editor.quickInput().innerText()).includes('172800 s'));
+    await editor.quickInput().locator('input.input').fill('3600');
+    await editor.press('Enter');
+    frame = await editor.panel('.trace-view');
+    await frame.locator('.row.step').first().waitFor();
+    await expect('which part it is', async () => /of 172800 s/.test(await frame.locator('.trace-head').textContent()));
+    await editor.picture('recordings-long');
     await editor.command('View: Close All Editors');
   },
 };

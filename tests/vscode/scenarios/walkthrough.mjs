@@ -15,9 +15,12 @@ export const scenarios = {
         [...document.querySelectorAll('.gettingStarted .getting-started-media img')].some((it) => it.naturalWidth > 600)));
       await editor.picture(`walkthrough-${title.split(' ')[0].toLowerCase()}`);
     }
-    await steps.filter({ hasText: 'Put skills together' }).click();
-    const text = page.frameLocator('iframe.webview.ready').frameLocator('iframe#active-frame');
-    await text.locator('pre', { hasText: 'defskill recharge' }).first().waitFor();
+    for (const [title, words] of [['Write a program', 'defproperty drives_shut'], ['Fix it', '(set (door Shut))']]) {
+      await steps.filter({ hasText: title }).click();
+      const text = page.locator('iframe.webview.ready').last().contentFrame().frameLocator('iframe#active-frame');
+      await text.locator('pre', { hasText: words }).first().waitFor();
+      await editor.picture(`walkthrough-${title.split(' ')[0].toLowerCase()}`);
+    }
     equal('marks of code that are shown as they are', await steps.filter({ hasText: '`' }).count(), 0);
     await editor.command('View: Close All Editors');
   },

@@ -1,0 +1,123 @@
+#include "bridge/bt/composites.h"
+
+#include <fmt/format.h>
+
+/// What decides whether a child starts, and how often.
+namespace proskill::bridge::bt {
+
+/// The script is tested before the node starts, and while it runs.
+void Body::whileTrue(const Node& node, const Exit& success, const Exit& failure, const Exit& skip) {
+  const auto variable =
+      vocabulary.anyOf(wordOf(node) + "_while", {"No", "Yes"}, vocabulary.comment(node));
+  vocabulary.approximate(node, "the script of `_while` may have any result at any time");
+  test(list(variable, "No"), skip);
+  if (traits.isPureInside(node)) return plain(node, success, failure, skip);
+  const auto skill = Composites(vocabulary).whileTrue(node, list(variable, "No"));
+  const auto at = statements.size();
+  call(skill, traits.endsInside(node), success, failure, skip);
+  commentAt(at, node);
+}
+
+std::string Composites::whileTrue(const Node& node, const Form& until) {
+  Body body(vocabulary);
+  body.plain(node, succeed(), fail(), skipped());
+  Block statements{list("race", Form(body.statements), Form(Block{list("^", until)}))};
+  append(statements, skipped().jump);
+  auto name = vocabulary.names.take(wordOf(node));
+  vocabulary.composite(name, vocabulary.comment(node), std::move(statements));
+  return name;
+}
+
+/// A number says how the child has ended: 0 not yet, 1 with a success, 2 with a failure.
+void Body::runOnce(const Node& node, const Exit& success, const Exit& failure, const Skip& skip) {
+  const auto skips = thenSkips(node);
+  if (!skips) return vocabulary.fail(node, "`then_skip` must be `true` or `false`");
+  const auto at = statements.size();
+  const auto ended = vocabulary.counter(node, "_ended", 2);
+  const auto end = vocabulary.names.take("done");
+  const auto failed = vocabulary.names.take("failed");
+  const auto yes = orTo(success, end);
+  const auto no = orTo(failure, end);
+  if (*skips) test(list(">", ended, "0"), *skip);
+  if (!*skips) test(list("=", ended, "1"), yes);
+  if (!*skips) test(list("=", ended, "2"), no);
+  this->node(node.children.front(), {}, to(failed), skip);
+  const bool succeeds = traits.ends(node.children.front()).success;
+  const bool fails = jumpsTo(failed);
+  if (succeeds) statements.push_back(list("set", list(ended, "1")));
+  if (succeeds) leave(fails ? yes : success);
+  if (fails) append(statements, {list("label", failed), list("set", list(ended, "2"))});
+  if (fails) leave(failure);
+  placeUsed(end);
+  commentAt(at, node);
+}
+
+void Body::precondition(const Node& node, const Exit& success, const Exit& failure,
+                        const Skip& skip) {
+  const auto otherwise = otherwiseOf(node);
+  if (!otherwise)
+    return vocabulary.fail(node, "`else` must be SUCCESS, FAILURE, SKIPPED or RUNNING");
+  const auto variable =
+      vocabulary.anyOf(wordOf(node) + "_if", {"No", "Yes"}, vocabulary.comment(node));
+  vocabulary.approximate(node, fmt::format("the test of `{}` may have any result", node.id));
+  const auto end = vocabulary.names.take("done");
+  const auto at = statements.size();
+  switch (*otherwise) {
+  case Otherwise::Success: test(list(variable, "No"), orTo(success, end)); break;
+  case Otherwise::Failure: test(list(variable, "No"), orTo(failure, end)); break;
+  case Otherwise::Skipped: test(list(variable, "No"), *skip); break;
+  case Otherwise::Running: statements.push_back(list("^", list(variable, "Yes"))); break;
+  }
+  this->node(node.children.front(), success, failure, skip);
+  placeUsed(end);
+  commentAt(at, node);
+}
+
+/// A round for each element, and a tick between two of them.
+void Body::queue(const Node& node, const Exit& success, const Exit& failure, const Skip& skip) {
+  const auto otherwise = otherwiseOf(node);
+  if (!otherwise) return vocabulary.fail(node, "`if_empty` must be SUCCESS, FAILURE or SKIPPED");
+  const auto at = statements.size();
+  const auto again = vocabulary.names.take("again");
+  const auto empty = vocabulary.names.take("empty");
+  const auto end = vocabulary.names.take("done");
+  const auto elements = elementsIn(node);
+  const auto counted = elements ? vocabulary.counter(node, "_count", *elements)
+                                : vocabulary.anyOf(wordOf(node) + "_queue", {"Full", "Empty"},
+                                                   vocabulary.comment(node));
+  if (!elements) vocabulary.approximate(node, "the queue may have any number of elements");
+  if (elements) statements.push_back(list("set", list(counted, "0")));
+  place(again);
+  test(elements ? list(">=", counted, std::to_string(*elements)) : list(counted, "Empty"),
+       to(empty));
+  const auto round = vocabulary.names.take("next");
+  this->node(node.children.front(), {}, orTo(failure, end), to(round));
+  placeUsed(round);
+  if (elements) statements.push_back(list("set", list(counted, list("+", counted, "1"))));
+  statements.push_back(nextTick(false));
+  leave(to(again));
+  place(empty);
+  leave(*otherwise == Otherwise::Success   ? success
+        : *otherwise == Otherwise::Failure ? failure
+                                           : *skip);
+  placeUsed(end);
+  commentAt(at, node);
+}
+
+/// All children but the last are a sequence; if it fails, the last one is run, and the node fails.
+void Body::tryCatch(const Node& node, const Exit& success, const Exit& failure, const Skip& skip) {
+  const auto onHalt = node.port("catch_on_halt", "false");
+  if (onHalt != "false" && onHalt != "0")
+    return vocabulary.fail(node, "`catch_on_halt` is not supported");
+  Node tried{Kind::Sequence, node.id, node.name, node.place, {}, {}};
+  tried.children.assign(node.children.begin(), node.children.end() - 1);
+  const auto caught = vocabulary.names.take("caught");
+  const auto end = vocabulary.names.take("done");
+  const auto no = orTo(failure, end);
+  inOrder(tried, true, orTo(success, end), to(caught), skip);
+  placeUsed(caught);
+  this->node(node.children.back(), no, no, no);
+  placeUsed(end);
+}
+
+} // namespace proskill::bridge::bt

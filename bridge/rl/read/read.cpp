@@ -1,0 +1,23 @@
+#include "bridge/rl/read/read.h"
+
+#include "bridge/text/file_reader.h"
+
+#include <iterator>
+
+namespace proskill::bridge::rl {
+
+std::expected<std::vector<Skillset>, Errors> read(const analysis::FileSystem& files,
+                                                  const std::filesystem::path& root) {
+  std::vector<Skillset> skillsets;
+  FileReader reader(files, parse, [&](const Parsed& parsed) {
+    std::ranges::copy(parsed.skillsets, std::back_inserter(skillsets));
+  });
+  reader.root(root);
+  for (auto& [message, place] : reader.missing) reader.errors.push_back({place, message});
+  if (skillsets.empty() && reader.errors.empty())
+    reader.errors.push_back({{root, 1, 1}, "there is no `skillset`"});
+  if (!reader.errors.empty()) return std::unexpected(std::move(reader.errors));
+  return skillsets;
+}
+
+} // namespace proskill::bridge::rl

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "analysis/program/program.h"
+#include "bridge/rl/read/parser.h"
+
+namespace proskill::bridge::rl {
+
+/// The skillsets of a file and of those that it includes; of these first.
+[[nodiscard]] std::expected<std::vector<Skillset>, Errors> read(const analysis::FileSystem& files,
+                                                                const std::filesystem::path& root);
+
+} // namespace proskill::bridge::rl

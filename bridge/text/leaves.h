@@ -1,0 +1,48 @@
+#pragma once
+
+#include <expected>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace proskill::bridge {
+
+/// What an action, a condition or a service can do. Durations are seconds; in a behavior tree, from
+/// the tick that starts a leaf to the tick that sees its end.
+struct Leaf {
+  std::string least = "0";
+  std::string most; ///< empty: unbounded
+  bool succeeds = true;
+  bool fails = true;
+  bool changes = true;             ///< a condition: it may change at any time
+  std::optional<bool> isCondition; ///< nothing: as its text says
+
+  /// Its duration as ProSkill writes it: `[2,5]`; empty: any time.
+  [[nodiscard]] std::string interval() const;
+  /// Whether it always ends in the tick that starts it.
+  [[nodiscard]] bool isInstant() const { return most == "0"; }
+};
+
+/// The side file about leaves.
+class Leaves {
+public:
+  /// \return the leaves of a JSON text, or what is wrong with it
+  [[nodiscard]] static std::expected<Leaves, std::string> read(std::string_view json);
+
+  /// By its own name, or by its type.
+  [[nodiscard]] const Leaf& of(const std::string& name, const std::string& type = {}) const;
+  /// Entries of the file that nothing was looked up by.
+  [[nodiscard]] std::vector<std::string> unused() const;
+  /// The longest time between two ticks, as a number of seconds; empty: unbounded.
+  std::string tick;
+
+private:
+  std::map<std::string, Leaf, std::less<>> known;
+  mutable std::set<std::string> used;
+  Leaf any;
+};
+
+} // namespace proskill::bridge

@@ -1,0 +1,82 @@
+#include "codegen/term/inputs.h"
+
+#include "codegen/term/conditions.h"
+#include "codegen/term/linear.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace proskill::codegen {
+namespace {
+
+using fiacre::Statement;
+
+std::string_view withoutDollar(std::string_view input) { return input.substr(1); }
+
+fiacre::Expr variableOf(Context& context, const SkillPlan& skill, const syntax::Input& input) {
+  return name(context.names.input(skill.name(), input.name.text));
+}
+
+std::vector<fiacre::Expr> valuesOf(Context& context, const syntax::StateVariable& type) {
+  std::vector<fiacre::Expr> all;
+  for (const auto& state : type.states)
+    all.push_back(name(context.names.value(type.name.text, state.text)));
+  if (!type.isNatural()) return all;
+  const auto [low, high] = domainOf(type);
+  for (auto each = low; each <= high; ++each) all.push_back(number(each));
+  return all;
+}
+
+/// The argument as a value of the type: a number, one of its values, or the caller's own input.
+fiacre::Expr argument(Context& context, const syntax::Expr& expr,
+                      const syntax::StateVariable& type) {
+  if (type.isNatural()) return Linear(context, expr).expr();
+  return enumerationValue(context, type, expr);
+}
+
+} // namespace
+
+Statement setInputs(Context& context, const SkillPlan& callee, const syntax::Statement& call) {
+  std::vector<Statement> all;
+  for (const auto* input : callee.inputs) {
+    const auto bare = withoutDollar(input->name.text);
+    const auto given = std::ranges::find_if(
+        call.arguments, [&](const auto& each) { return each.name.text == bare; });
+    if (given != call.arguments.end())
+      all.push_back(
+          assign(variableOf(context, callee, *input),
+                 argument(context, given->value, context.stateVariable(input->type.text))));
+  }
+  return sequence(std::move(all));
+}
+
+Statement chooseInputs(Context& context, const SkillPlan& callee) {
+  std::vector<Statement> all;
+  for (const auto* input : callee.inputs) {
+    std::vector<Statement> choices;
+    for (auto& value : valuesOf(context, context.stateVariable(input->type.text)))
+      choices.push_back(assign(variableOf(context, callee, *input), std::move(value)));
+    all.push_back(select(std::move(choices)));
+  }
+  return sequence(std::move(all));
+}
+
+std::string shownInput(std::string_view skill, std::string_view input) {
+  return fmt::format("{}.{}", skill, withoutDollar(input));
+}
+
+std::vector<fiacre::Variable> inputVariables(Context& context) {
+  std::vector<fiacre::Variable> all;
+  for (const auto& skill : context.plan.skills)
+    for (const auto* input : skill.inputs) {
+      const auto& type = context.stateVariable(input->type.text);
+      all.push_back({context.names.input(skill.name(), input->name.text),
+                     namedType(context.names.type(input->type.text)),
+                     valuesOf(context, type).front(),
+                     fmt::format("`{}` of the last call of {}", input->name.text, skill.name())});
+    }
+  return all;
+}
+
+} // namespace proskill::codegen

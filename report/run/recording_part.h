@@ -1,0 +1,30 @@
+#pragma once
+
+#include "report/run/mcap.h"
+
+#include <expected>
+#include <optional>
+#include <string>
+
+namespace proskill::report {
+
+/// A part of a long recording.
+struct PartOfRun {
+  std::optional<double> from; ///< seconds since the start of the run; nullopt: the part is the last
+  std::uint64_t bytes = std::uint64_t{16} << 20; ///< of the recording, about
+};
+
+/// A part of a recording as a trace in JSON, whose description says which part it is.
+struct TraceOfPart {
+  std::string text;
+  double begin = 0; ///< in seconds since the start of the run
+  double end = 0;
+  double length = 0; ///< of the recorded run
+  bool isWhole = true;
+};
+
+/// The error is a message. \pre it is an MCAP file
+[[nodiscard]] std::expected<TraceOfPart, std::string> traceOfPart(const mcap::File& recording,
+                                                                  const PartOfRun& part);
+
+} // namespace proskill::report

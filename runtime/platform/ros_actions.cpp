@@ -1,0 +1,182 @@
+#include "runtime/platform/ros_actions.h"
+
+#include "runtime/platform/messages.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace proskill::runtime {
+
+namespace {
+
+std::vector<std::string> terminalStatesOf(Ros ros) {
+  switch (ros) {
+  case Ros::One: return {"succeeded", "aborted", "rejected", "preempted", "recalled"};
+  case Ros::Two: return {"succeeded", "aborted", "rejected", "canceled"};
+  }
+  return {};
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string all;
+  for (const auto& name : names) all += (all.empty() ? "`" : ", `") + name + "`";
+  return all;
+}
+
+class ActionReader {
+public:
+  ActionReader(const analysis::Program& of, Ros kind) : program(of), ros(kind) {}
+
+  [[nodiscard]] Json action(const codegen::Performed& performed, const Json& value) const {
+    const auto of = "`" + performed.skill + "`";
+    if (!value.is_object()) throw Wrong{of + " must be an object"};
+    if (value.contains("service")) return service(performed, value, of);
+    if (value.contains("topic")) return topic(performed, value, of);
+    if (!value.contains("action")) throw Wrong{of + ": `action`, `service` or `topic` is missing"};
+    allowMembers(value, {"action", "type", "goal", "results"}, of);
+    return {{"kind", "action"},
+            {"name", wordAt(value, "action", of)},
+            {"type", typeAt(value, of, ros, "action")},
+            {"fields", fields(performed, value, "goal")},
+            {"results", terminalStates(performed, value, of)}};
+  }
+
+private:
+  using Performed = codegen::Performed;
+
+  [[nodiscard]] Json service(const Performed& performed, const Json& value,
+                             const std::string& of) const {
+    allowMembers(value, {"service", "type", "request", "results"}, of);
+    if (!value.contains("results")) throw Wrong{of + ": `results` is missing"};
+    return {{"kind", "service"},
+            {"name", wordAt(value, "service", of)},
+            {"type", typeAt(value, of, ros, "srv")},
+            {"fields", fields(performed, value, "request")},
+            {"results", resultCases(performed, value["results"], of)}};
+  }
+
+  [[nodiscard]] Json topic(const Performed& performed, const Json& value,
+                           const std::string& of) const {
+    allowMembers(value, {"topic", "type", "message", "result"}, of);
+    return {{"kind", "topic"},
+            {"name", wordAt(value, "topic", of)},
+            {"type", typeAt(value, of, ros, "msg")},
+            {"fields", fields(performed, value, "message")},
+            {"result", value.contains("result") ? result(performed, stringAt(value, "result"))
+                                                : onlyResult(performed, "success", of)}};
+  }
+
+  /// Fields of a message by their paths: literals, and `$name` for an argument of the action.
+  [[nodiscard]] Json fields(const Performed& performed, const Json& value,
+                            const std::string& key) const {
+    Json all = Json::array();
+    for (const auto& [path, given] : objectAt(value, key)) {
+      if (!given.is_primitive() || given.is_null())
+        throw Wrong{fmt::format("`{}.{}.{}` must be a number, a string, true or false",
+                                performed.skill, key, path)};
+      Json one{{"path", path}};
+      if (given.is_string() && given.get_ref<const std::string&>().starts_with('$'))
+        setArgument(one, performed, given.get_ref<const std::string&>());
+      else
+        one["value"] = given;
+      all.push_back(std::move(one));
+    }
+    return all;
+  }
+
+  void setArgument(Json& field, const Performed& performed, const std::string& name) const {
+    const auto& skill = program.skills.find(performed.skill)->node();
+    std::vector<std::string> names;
+    if (skill.action) {
+      for (std::size_t i = 0; i < skill.action->arguments.size(); ++i) {
+        const auto& argument = skill.action->arguments[i];
+        if (argument.kind != syntax::ExprKind::Parameter) continue;
+        names.emplace_back(argument.name.text);
+        if (names.back() != name) continue;
+        field["argument"] = i;
+        field["type"] = typeOf(skill, name);
+        return;
+      }
+    }
+    throwUnknown("argument of the action of `" + performed.skill + "`", name, names);
+  }
+
+  static std::string typeOf(const syntax::Skill& skill, const std::string& parameter) {
+    for (const auto& input : skill.inputs)
+      if (input.name.text == parameter) return std::string(input.type.text);
+    return "";
+  }
+
+  // --- Results
+
+  [[nodiscard]] std::string result(const Performed& performed, const std::string& name) const {
+    std::vector<std::string> names;
+    for (const auto& each : performed.results) names.push_back(resultName(each));
+    if (std::ranges::find(names, name) == names.end())
+      throwUnknown("result of `" + performed.skill + "`", name, names);
+    return name;
+  }
+
+  static std::string onlyResult(const Performed& performed, const std::string& status,
+                                const std::string& of) {
+    std::vector<std::string> names;
+    for (const auto& each : performed.results)
+      if (each.status == status) names.push_back(resultName(each));
+    if (names.size() != 1)
+      throw Wrong{of + ": which " + status + " it is must be said: " + joined(names)};
+    return names.front();
+  }
+
+  /// By terminal state of a goal. Without `results` a success is the only success, and the rest
+  /// the only failure.
+  [[nodiscard]] Json terminalStates(const Performed& performed, const Json& value,
+                                    const std::string& of) const {
+    const auto known = terminalStatesOf(ros);
+    Json all = Json::object();
+    for (const auto& [state, given] : objectAt(value, "results")) {
+      if (std::ranges::find(known, state) == known.end())
+        throwUnknown("terminal state", state, known);
+      all[state] = resultCases(performed, given, of);
+    }
+    if (!all.contains("succeeded"))
+      all["succeeded"] = Json::array({{{"result", onlyResult(performed, "success", of)}}});
+    const auto failures =
+        std::ranges::count(performed.results, "failure", &Performed::Result::status);
+    for (const char* state : {"aborted", "rejected"})
+      if (!all.contains(state) && failures == 1)
+        all[state] = Json::array({{{"result", onlyResult(performed, "failure", of)}}});
+    return all;
+  }
+
+  /// A result, or a list of cases, of which the first that holds counts.
+  [[nodiscard]] Json resultCases(const Performed& performed, const Json& value,
+                                 const std::string& of) const {
+    if (value.is_string())
+      return Json::array({{{"result", result(performed, value.get<std::string>())}}});
+    Json all = Json::array();
+    for (const auto& each : listOf(value, of + ".results")) {
+      allowMembers(each, {"field", "below", "above", "equals", "result"}, "a result of " + of);
+      auto made = conditionOf(each, of);
+      if (!made.empty()) made["field"] = wordAt(each, "field", of);
+      if (made.empty() && each.contains("field"))
+        throw Wrong{of + ": a `field` without `below`, `above` or `equals`"};
+      made["result"] = result(performed, wordAt(each, "result", of));
+      all.push_back(std::move(made));
+    }
+    if (all.empty()) throw Wrong{of + ": a list of results must not be empty"};
+    return all;
+  }
+
+  const analysis::Program& program;
+  Ros ros;
+};
+
+} // namespace
+
+Json rosAction(const analysis::Program& program, const codegen::Performed& performed,
+               const Json& value, Ros ros) {
+  return ActionReader(program, ros).action(performed, value);
+}
+
+} // namespace proskill::runtime

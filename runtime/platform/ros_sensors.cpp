@@ -1,0 +1,129 @@
+#include "runtime/platform/ros_sensors.h"
+
+#include <algorithm>
+
+namespace proskill::runtime {
+
+namespace {
+
+class SensorReader {
+public:
+  SensorReader(const analysis::Program& of, Ros kind) : program(of), ros(kind) {}
+
+  [[nodiscard]] Json sensors(const Json& file) const {
+    Json all = Json::array();
+    for (const auto& [name, value] : objectAt(file, "variables"))
+      all.push_back(variable(name, value));
+    for (const auto& [name, value] : objectAt(file, "events")) all.push_back(event(name, value));
+    return all;
+  }
+
+private:
+  /// What variables and events have in common.
+  [[nodiscard]] Json sensor(const std::string& name, const Json& value) const {
+    const auto of = "`" + name + "`";
+    Json made{{"name", name},
+              {"topic", wordAt(value, "topic", of)},
+              {"type", typeAt(value, of, ros, "msg")},
+              {"field", wordAt(value, "field", of)},
+              {"hysteresis", 0.0},
+              {"timeout", nullptr},
+              {"silent", nullptr}};
+    if (value.contains("hysteresis")) {
+      const auto& width = value["hysteresis"];
+      if (!width.is_number() || width.get<double>() < 0)
+        throw Wrong{of + ": `hysteresis` must be a number that is not negative"};
+      made["hysteresis"] = width;
+    }
+    if (value.contains("timeout")) made["timeout"] = inSeconds(value["timeout"], name + ".timeout");
+    if (value.contains("timeout") && made["timeout"] == 0.0)
+      throw Wrong{of + ": `timeout` must be more than 0 s"};
+    if (value.contains("timeout") != value.contains("silent"))
+      throw Wrong{of + ": `timeout` and `silent` belong together"};
+    return made;
+  }
+
+  [[nodiscard]] Json variable(const std::string& name, const Json& value) const {
+    const auto of = "`" + name + "`";
+    allowMembers(value, {"topic", "type", "field", "hysteresis", "timeout", "silent", "values"},
+                 of);
+    const auto* definition = program.stateVariables.find(name);
+    if (!definition) throwUnknown("state variable", name, variableNames());
+    if (definition->node().isNatural()) throw Wrong{of + " is a number; only values can be mapped"};
+    auto made = sensor(name, value);
+    if (value.contains("silent"))
+      made["silent"] = eventThatSets(*definition, stringAt(value, "silent"));
+    made["cases"] = Json::array();
+    if (!value.contains("values")) throw Wrong{of + ": `values` is missing"};
+    for (const auto& each : listOf(value["values"], name + ".values")) {
+      allowMembers(each, {"value", "below", "above", "equals"}, "a value of " + of);
+      auto one = conditionOf(each, of);
+      one["event"] = eventThatSets(*definition, wordAt(each, "value", of));
+      made["cases"].push_back(std::move(one));
+    }
+    rejectUnreachable(made["cases"], of);
+    return made;
+  }
+
+  /// The first case without a condition is always taken.
+  static void rejectUnreachable(const Json& cases, const std::string& of) {
+    if (cases.empty()) throw Wrong{of + ": `values` must not be empty"};
+    for (std::size_t i = 0; i + 1 < cases.size(); ++i)
+      if (cases[i].size() == 1)
+        throw Wrong{of + ": the values after the one without a condition are never reached"};
+  }
+
+  [[nodiscard]] Json event(const std::string& name, const Json& value) const {
+    const auto of = "`" + name + "`";
+    allowMembers(value, {"topic", "type", "field", "hysteresis", "below", "above", "equals"}, of);
+    requireEvent(name);
+    auto made = sensor(name, value);
+    auto condition = conditionOf(value, of);
+    if (condition.empty()) throw Wrong{of + ": `below`, `above` or `equals` is missing"};
+    condition["event"] = name;
+    made["cases"] = Json::array({std::move(condition)});
+    return made;
+  }
+
+  void requireEvent(const std::string& name) const {
+    std::vector<std::string> names;
+    for (const auto& event : program.events.all) names.emplace_back(event.name());
+    if (std::ranges::find(names, name) == names.end()) throwUnknown("event", name, names);
+  }
+
+  /// The event whose only effect is that the variable gets this value.
+  [[nodiscard]] std::string
+  eventThatSets(const analysis::Definition<syntax::StateVariable>& variable,
+                const std::string& value) const {
+    std::vector<std::string> values;
+    for (const auto& state : variable->states) values.emplace_back(state.text);
+    const auto name = std::string(variable.name());
+    if (std::ranges::find(values, value) == values.end())
+      throwUnknown("value of `" + name + "`", value, values);
+    for (const auto& event : program.events.all) {
+      const auto& effects = event->effects.items;
+      if (effects.size() == 1 && effects[0].variable.text == name &&
+          effects[0].value.name.text == value)
+        return std::string(event.name());
+    }
+    throw Wrong{"no event sets `" + name + "` to `" + value + "`: add (defevent " + name + "_" +
+                value + " :effects (" + name + " " + value + "))"};
+  }
+
+  [[nodiscard]] std::vector<std::string> variableNames() const {
+    std::vector<std::string> names;
+    for (const auto& variable : program.stateVariables.all) names.emplace_back(variable.name());
+    return names;
+  }
+
+  const analysis::Program& program;
+  Ros ros;
+};
+
+} // namespace
+
+Json rosSensors(const analysis::Program& program, const Json& file, Ros ros) {
+  return SensorReader(program, ros).sensors(file);
+}
+
+} // namespace proskill::runtime

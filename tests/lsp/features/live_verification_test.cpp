@@ -1,0 +1,190 @@
+#include "tests/lsp/support/lamp.h"
+
+#include <catch2/catch.hpp>
+
+namespace proskill::test::live_verification_test {
+
+using namespace lamp;
+
+TEST_CASE("the program in view is verified, and its verdicts are diagnostics") {
+  Session::Options options;
+  options.initializationOptions = kLive;
+  Session session(options);
+  openLamp(session, kBad);
+  auto news = verdictsIn(session, "done");
+  CHECK(news["stale"] == false);
+  CHECK(news["label"] == "main.proskill");
+  CHECK(news["counts"]["errors"] == 1);
+  auto found = diagnosticsWith(session, kLamp, true);
+  REQUIRE(found.size() == 1);
+  CHECK(found[0]["range"] == rangeOf(0, 7, 11));
+  CHECK(found[0]["severity"] == 1);
+  CHECK(found[0]["code"] == "no_forbidden_transition");
+  CHECK(found[0]["data"] ==
+        Json({{"kind", "verdict"}, {"name", "lamp.no_forbidden_transition"}, {"program", kMain}}));
+  auto way = found[0]["relatedInformation"];
+  REQUIRE(way.size() >= 2);
+  CHECK(way[0]["location"]["uri"] == kMain);
+  CHECK(way[0]["location"]["range"]["start"]["line"] == 1);
+}
+
+TEST_CASE("a request for one property leaves the others to live verification") {
+  Session::Options options;
+  options.initializationOptions = kLive;
+  options.initializationOptions["verify"]["delay"] = 1'500; // the request comes first
+  Session session(options);
+  openLamp(session, kBad);
+  const auto result =
+      session.result("proskill/verify", verifying(kMain, {"lamp.no_forbidden_transition"}));
+  CHECK(result["verdicts"].size() == 1);
+  Json news;
+  do news = verdictsIn(session, "done");
+  while (news["verdicts"].size() < 2);
+  CHECK(news["stale"] == false);
+}
+
+TEST_CASE("after live verification the durations of skills are measured, and hovers show them") {
+  const bool isEdited = GENERATE(false, true);
+  const std::string text = "(defsv n :states (A B) :init A)\n"
+                           "(defskill drive :time_interval [2,5] :action (go))\n"
+                           "(defskill m :body ((drive) (set (n B))))\n";
+  const auto isShown = [](Session& session) {
+    const auto shown = session.at("textDocument/hover", kMain, 1, 11);
+    return shown["contents"].dump().find("Takes 2 to 5 s") != std::string::npos;
+  };
+  Session::Options options;
+  options.initializationOptions = kLive;
+  options.capabilities["workspace"]["codeLens"]["refreshSupport"] = true;
+  Session session(options);
+  session.initialize();
+  session.open(kMain, text);
+  if (isEdited) { // the measurement ends, and begins again
+    while (verdictsIn(session, "done")["stale"] == true) continue;
+    session.change(kMain, 2, rangeOf(2, 0, 0), ";");
+    session.change(kMain, 3, rangeOf(2, 0, 1), "");
+  }
+  while (!isShown(session)) (void)session.notified("workspace/codeLens/refresh");
+  const auto lenses = session.result("textDocument/codeLens", document(kMain));
+  CHECK(lenses.dump().find("good · 2 to 5 s") != std::string::npos);
+}
+
+TEST_CASE("findings and verdicts on an imported program name their originals") {
+  Session::Options options;
+  options.initializationOptions = kLive;
+  Session session(options);
+  const auto bad = "(include \"lamp.proskill\")\n; from in/robot.rl:7:5 event off\n"
+                   "(defevent off :effects (lamp Off))\n(defevent on :effects (lamp On))\n";
+  session.initialize();
+  session.open(kLamp, "; from in/robot.rl:3:9 resource lamp\n" + kLampText);
+  session.open(kMain, bad);
+  const auto verdict = diagnosticsWith(session, kLamp, true);
+  REQUIRE(verdict.size() == 1);
+  const auto& first = verdict[0]["relatedInformation"][0];
+  CHECK(first["message"] == "from here: resource lamp");
+  CHECK(first["location"]["uri"] == "file:///w/in/robot.rl");
+  CHECK(first["location"]["range"] == rangeOf(2, 8, 8));
+}
+
+TEST_CASE("an error in an imported program names its original") {
+  Session session;
+  session.initialize();
+  session.open(kMain, "; from in/robot.rl:7:5 event off\n(defevent off :effects (lamp Off))\n");
+  const auto told = session.result("textDocument/diagnostic", document(kMain))["items"];
+  REQUIRE(told.size() == 1);
+  const auto& original = told[0]["relatedInformation"][0];
+  CHECK(original["message"] == "from here: event off");
+  CHECK(original["location"]["uri"] == "file:///w/in/robot.rl");
+  CHECK(original["location"]["range"] == rangeOf(6, 4, 4));
+}
+
+TEST_CASE("a client that puts verdicts together is told those alone that have changed") {
+  Session::Options options;
+  options.initializationOptions = kLive;
+  options.capabilities["experimental"]["verdicts"] = "changes";
+  Session session(options);
+  openLamp(session, kBad);
+  Json known;
+  const auto until = [&](const std::string& state, bool stale) {
+    while (true) {
+      auto news = session.notified("proskill/verdicts");
+      if (news["program"] != kMain) continue; // the lamp was briefly a program of its own
+      if (news["changes"] == false) known.clear();
+      for (const auto& verdict : news["verdicts"]) known[verdict["name"]] = verdict;
+      if (news["state"] == state && news["stale"] == stale) return news;
+    }
+  };
+  auto news = until("done", false);
+  const auto verified = session.result("proskill/verify", verifying(kMain))["verdicts"];
+  CHECK(known.size() == verified.size());
+  for (const auto& verdict : verified) CHECK(known[verdict["name"]] == verdict);
+  session.change(kLamp, 2, rangeOf(1, 24, 24), " (On Off)");
+  news = until("waiting", true);
+  CHECK(news["changes"] == true);
+  CHECK(news["verdicts"].empty());
+  CHECK(news["counts"]["errors"] == 1);
+  CHECK(known["lamp.no_forbidden_transition"]["verdict"] == "violated");
+  until("done", false);
+  CHECK(known["lamp.no_forbidden_transition"]["verdict"] == "holds");
+  CHECK(known.size() == verified.size());
+}
+
+TEST_CASE("a client that does not ask for verdicts is sent none, and has them as diagnostics") {
+  Session::Options options;
+  options.initializationOptions = kLive;
+  options.capabilities["experimental"]["verdicts"] = nullptr;
+  Session session(options);
+  openLamp(session, kBad);
+  CHECK(diagnosticsWith(session, kLamp, true).size() == 1);
+  CHECK_FALSE(session.wasNotified("proskill/verdicts"));
+}
+
+TEST_CASE("an edit makes verdicts stale at once; what is taken back makes them current") {
+  Session::Options options;
+  options.initializationOptions = {{"verify", {{"delay", 0}, {"seconds", 60}}}};
+  Session session(options);
+  openLamp(session, kBad);
+  verdictsIn(session, "done");
+  diagnosticsWith(session, kLamp, true);
+  // A text with errors is not verified; the known verdicts are for the older text.
+  session.change(kMain, 2, rangeOf(0, 0, 0), "(");
+  auto news = verdictsIn(session, "errors");
+  CHECK(news["stale"] == true);
+  CHECK(news["texts"][0]["version"] == 1);
+  diagnosticsWith(session, kLamp, false);
+  session.change(kMain, 3, rangeOf(0, 0, 1), "");
+  CHECK(verdictsIn(session, "done")["stale"] == false);
+  CHECK(diagnosticsWith(session, kLamp, true).size() == 1);
+}
+
+TEST_CASE("a file that a refactoring opens and closes leaves no outdated verdicts") {
+  Session::Options options;
+  options.initializationOptions = kLive;
+  options.disk = std::make_shared<test::MemoryFiles>(
+      std::map<std::string, std::string>{{"/w/lamp.proskill", kLampText}});
+  Session session(options);
+  session.initialize();
+  session.open(kMain, kGood);
+  verdictsIn(session, "done");
+  session.open(kLamp, kLampText);
+  session.change(kLamp, 2, rangeOf(1, 24, 24), " (On Off)");
+  CHECK(verdictsIn(session, "done")["stale"] == false);
+  session.close(kLamp); // nothing was saved
+  CHECK(verdictsIn(session, "waiting")["stale"] == true);
+  CHECK(verdictsIn(session, "done")["stale"] == false);
+}
+
+TEST_CASE("a file that turns out to be part of a program has no verification of its own any more") {
+  Session::Options options;
+  options.initializationOptions = kLive;
+  Session session(options);
+  session.initialize();
+  const std::string part = "file:///w/part.proskill";
+  session.open(part, "(defevent off :effects (lamp Off))\n");
+  verdictsIn(session, "errors", part);
+  session.open(kLamp, kLampText);
+  session.open(kMain, kGood + "(include \"part.proskill\")\n");
+  CHECK(verdictsIn(session, "off", part)["message"] == "the file is part of a program");
+  CHECK(verdictsIn(session, "done")["counts"]["errors"] == 1);
+}
+
+} // namespace proskill::test::live_verification_test

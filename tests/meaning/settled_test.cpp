@@ -1,0 +1,37 @@
+#include "tests/meaning/agreement.h"
+
+#include <catch2/catch.hpp>
+
+using namespace proskill;
+
+namespace {
+
+/// The engine's verdicts on the program are those of the interpreter.
+void agreeOn(const std::string& program) {
+  const auto comparison = meaning::compare({test::Form(program)}, 20'000);
+  INFO(comparison.refusal.value_or("") << comparison.disagreement.value_or(""));
+  CHECK_FALSE(comparison.refusal);
+  CHECK_FALSE(comparison.disagreement);
+  CHECK_FALSE(comparison.tooLarge);
+  CHECK(comparison.questions > 0);
+}
+
+} // namespace
+
+TEST_CASE("both meanings let a call that waits for its turn start after an interrupt") {
+  agreeOn(R"((defskill x :interrupt () :time_interval [5,5] :action (x))
+    (defskill mission :body ((x)))
+    (defskill m2 :monitor t :body ((^ 1) (x)))
+    (defskill stop :monitor t :body ((^ 2) (x.interrupt)))
+    (defenvironment calm :body ())
+    (defproperty again (reachable (and (ended stop) (running x)))))");
+}
+
+TEST_CASE("both meanings let an action without a time limit last for ever among all runs") {
+  for (const std::string event : {"", "(defsv u :states (P) :init P) (defevent e :effects (u P))"})
+    agreeOn("(defskill x :action (x)) (defskill m :body ((x)))" + event +
+            "(defproperty p (present (ended m) :fair nil))"
+            "(defproperty q (leadsto (running x) (ended m) :fair nil))"
+            "(defproperty r (ltl (<> (ended m)) :fair nil))"
+            "(defproperty s (infinitelyoften (ended m) :fair nil))");
+}

@@ -1,0 +1,93 @@
+"""`proskill plan` with real planners: an optimistic plan is found wrong and corrected.
+
+usage: plans.py PROGRAM
+
+PROSKILL_PYTHON names a Python with unified-planning, up-aries and up-tamer.
+"""
+
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PROGRAM = sys.argv[1]
+PYTHON = os.environ.get("PROSKILL_PYTHON", sys.executable)
+SURVEY = ROOT / "docs/bridges/survey.proskill"
+GOAL = "(and (area Photographed) (flight OnGround))"
+
+FOUND = subprocess.run([PYTHON, "-c", "import unified_planning, up_aries, up_tamer"], capture_output=True, check=False)
+if FOUND.returncode != 0:
+    print("skipped: unified-planning is not installed (pip install unified-planning up-aries up-tamer)")
+    sys.exit(77)
+
+
+def plan(goal, file, *options):
+    command = [PROGRAM, "plan", "--python", PYTHON, *options, goal, str(file)]
+    return subprocess.run(command, capture_output=True, text=True, check=False)
+
+
+def changed(text, folder):
+    path = pathlib.Path(folder) / "changed.proskill"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+class Plans(unittest.TestCase):
+    def test_the_drone_does_not_land_while_it_photographs(self):
+        for planner in ("aries", "tamer"):
+            with self.subTest(planner), tempfile.TemporaryDirectory() as folder:
+                out = pathlib.Path(folder) / "mission.proskill"
+                done = plan(GOAL, SURVEY, "--planner", planner, "-o", str(out))
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertIn("its order: gps_fixed, take_off, (photograph | land)", done.stderr)
+                self.assertIn("not verified: `photograph` can end because its invariant `in_air` fails", done.stderr)
+                self.assertIn("constraint 1: `land` and `photograph` must not run at the same time", done.stderr)
+                self.assertIn("its order: gps_fixed, take_off, photograph, land", done.stderr)
+                self.assertIn("verified: every run", done.stderr)
+                for command in (["check", out], ["fmt", "--check", out]):
+                    checked = subprocess.run([PROGRAM, *command], capture_output=True, text=True, check=False)
+                    self.assertEqual(checked.returncode, 0, checked.stdout + checked.stderr)
+
+    def test_an_impossible_goal(self):
+        with tempfile.TemporaryDirectory() as folder:
+            text = SURVEY.read_text(encoding="utf-8").replace("(area Photographed)", "(area Unknown)")
+            done = plan(GOAL, changed(text, folder), "--planner", "aries", "--time-limit", "20")
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("error: no plan", done.stderr)
+            self.assertEqual(done.stdout, "")
+
+    def test_what_no_order_repairs(self):
+        """The world takes the area away again: no order of skills helps."""
+        with tempfile.TemporaryDirectory() as folder:
+            text = SURVEY.read_text(encoding="utf-8")
+            text += "(defevent clouds :every [1,2] :effects (flight OnGround))\n"
+            done = plan(GOAL, changed(text, folder), "--planner", "aries")
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("not verified", done.stderr)
+
+    def test_the_problem_in_anml_is_read_again(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = pathlib.Path(folder) / "survey.anml"
+            done = plan(GOAL, SURVEY, "--anml", "-o", str(out))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("( start, end ) flight_is_inair;", out.read_text(encoding="utf-8"))
+            read = ("from unified_planning.io import ANMLReader\nimport sys\n"
+                    "problem = ANMLReader().parse_problem(sys.argv[1])\nprint(len(problem.actions), len(problem.goals))")
+            again = subprocess.run([PYTHON, "-c", read, str(out)], capture_output=True, text=True, check=False)
+            self.assertEqual(again.stdout.split(), ["4", "1"], again.stderr)
+
+    def test_a_wrong_goal(self):
+        done = plan("(area Painted)", SURVEY)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("`Painted` is not a value of `area`", done.stderr)
+
+    def test_a_limit_of_time(self):
+        done = plan(GOAL, SURVEY, "--planner", "aries", "--memory-limit", "64")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("no planner has found a plan", done.stderr)
+
+
+unittest.main(argv=sys.argv[:1])

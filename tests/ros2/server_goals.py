@@ -1,0 +1,4 @@
+"""What a goal says about how the test's server behaves."""
+
+(SUCCEED, WAIT, ABORT, REJECT, GONE, NO_RESULT, TALK, DIE, LATE_ACCEPT, LATE_REJECT, LATE_RESULT, DEAF, REFUSE_ONCE,
+ DIE_ON_CANCEL, NO_ANSWER, LEAVE, TWICE) = range(17)

@@ -1,0 +1,126 @@
+#include "verify/space/column.h"
+#include "verify/space/parents.h"
+#include "verify/space/state_tree.h"
+
+#include <catch2/catch.hpp>
+
+#include <map>
+#include <random>
+
+using namespace proskill::verify;
+
+namespace {
+
+/// States of some words, most of which are similar.
+std::vector<std::vector<Word>> randomStates(std::uint32_t words, std::size_t count, Word most) {
+  std::mt19937_64 random(words);
+  std::vector<std::vector<Word>> states{std::vector<Word>(words)};
+  while (states.size() < count) {
+    auto state = states[random() % states.size()];
+    state[random() % words] = random() % (most + 1);
+    states.push_back(state);
+  }
+  return states;
+}
+
+} // namespace
+
+TEST_CASE("a column keeps numbers of all sizes, and zeros take no memory") {
+  std::mt19937 random(1);
+  const auto below = [&](std::uint32_t most) {
+    return std::uniform_int_distribution<std::uint32_t>(0, most)(random);
+  };
+  Column column;
+  std::vector<std::uint32_t> expected;
+  const auto pushMany = [&](std::uint32_t most) {
+    for (int i = 0; i < 10'000; ++i) {
+      const std::uint32_t number = below(most);
+      column.push(number);
+      expected.push_back(number);
+    }
+  };
+  pushMany(0);
+  CHECK(column.bytes() == 0);
+  for (const std::uint32_t most : {1U << 7, 0U, 1U << 16, 1U << 24, UINT32_MAX}) {
+    pushMany(most);
+    const std::size_t at = below(static_cast<std::uint32_t>(expected.size() - 1));
+    expected[at] = most;
+    column.set(at, most);
+    REQUIRE(column.size() == expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) REQUIRE(column.at(i) == expected[i]);
+  }
+  CHECK(column.bytes() < expected.size() * 5);
+}
+
+TEST_CASE("a column takes as many bits for a number as the greatest needs") {
+  for (int width = 1; width <= 32; ++width) {
+    const std::uint32_t most = static_cast<std::uint32_t>((std::uint64_t{1} << width) - 1);
+    Column column;
+    for (std::uint32_t i = 0; i < 10'000; ++i) column.push(i % 3 == 0 ? most : most / 2);
+    column.set(4095, most); // the last of a piece
+    column.set(4096, 0);
+    CHECK(column.at(4095) == most);
+    CHECK(column.at(4096) == 0);
+    for (std::uint32_t i = 0; i < 10'000; ++i)
+      if (i < 4095 || i > 4096) REQUIRE(column.at(i) == (i % 3 == 0 ? most : most / 2));
+    CHECK(column.bytes() < 3 * (4096 * static_cast<std::uint64_t>(width) / 8 + 32));
+  }
+}
+
+TEST_CASE("parents are found in any order of expansion") {
+  for (const bool inOrder : {true, false}) {
+    std::mt19937 random(2);
+    Parents parents;
+    std::vector<std::uint32_t> expected{UINT32_MAX};
+    std::vector<std::uint32_t> open{0};
+    parents.addChild();
+    while (!open.empty() && expected.size() < 20'000) {
+      const std::size_t at = inOrder ? 0 : random() % open.size();
+      const std::uint32_t node = open[at];
+      open.erase(open.begin() + static_cast<std::ptrdiff_t>(at));
+      parents.expand(node);
+      for (auto children = open.empty() ? 3 : random() % 4; children > 0; --children) {
+        parents.addChild();
+        open.push_back(static_cast<std::uint32_t>(expected.size()));
+        expected.push_back(node);
+      }
+    }
+    for (std::uint32_t i = 0; i < expected.size(); ++i) REQUIRE(parents.of(i) == expected[i]);
+    CHECK(parents.bytes() < expected.size() * (inOrder ? 1 : 9));
+  }
+}
+
+TEST_CASE("a tree of states gives each state one number, and the state back") {
+  for (const std::uint32_t words : {1U, 2U, 3U, 5U, 8U, 67U}) {
+    const std::uint32_t bits = words == 1 ? 20 : 64;
+    const auto states = randomStates(words, 30'000, words == 1 ? (1U << 20) - 1 : 300);
+    StateTree tree(words, bits);
+    StateTree::Path path;
+    std::map<std::vector<Word>, StateId> expected;
+    for (const auto& state : states) {
+      const auto [known, isNew] = expected.try_emplace(state, tree.size());
+      const auto root = tree.findRoot(state.data(), path);
+      REQUIRE((root && tree.find(*root) != kNone) == !isNew);
+      const auto added = tree.add(state.data());
+      REQUIRE(added.isNew == isNew);
+      REQUIRE(added.id == known->second);
+    }
+    CHECK(tree.size() == expected.size());
+    std::vector<Word> read(words);
+    for (const auto& [state, id] : expected) {
+      tree.read(id, read.data());
+      REQUIRE(read == state);
+    }
+  }
+}
+
+TEST_CASE("states whose halves repeat take few bytes") {
+  StateTree tree(1, 42);
+  for (Word high = 0; high < 1000; ++high)
+    for (Word low = 0; low < 1000; ++low) {
+      const Word state = high * 2097 << 21 | low * 2097;
+      tree.add(&state);
+    }
+  CHECK(tree.size() == 1'000'000);
+  CHECK(tree.bytes() < 11'000'000);
+}

@@ -1,0 +1,118 @@
+#include "verify/checkpoint/parts.h"
+#include "verify/graph/class_graph.h"
+#include "verify/limits.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <tuple>
+
+/// How several ranks count the classes of one graph.
+namespace proskill::verify {
+
+bool ClassGraph::isElsewhere(const std::vector<Word>& marking) const {
+  return ranks && ownerOf(marking) != ranks->self();
+}
+
+unsigned ClassGraph::ownerOf(const std::vector<Word>& marking) const {
+  std::uint64_t hash = 0;
+  for (const auto word : marking) hash = mix(hash, word);
+  hash = mix(hash, hash >> 32);
+  return static_cast<unsigned>((hash >> 32) * ranks->count() >> 32);
+}
+
+/// Sends the classes that follow the pending ones in the marking `next`.
+void ClassGraph::sendSuccessors(std::uint32_t signature, TransitionId transition) {
+  const std::uint32_t there = signatureOf(nextEnabled);
+  reached.clear();
+  for (auto domain : pending) {
+    const ZoneId after = domains.after(domain, signature, transition, there);
+    if (after != kNone) reached.push_back(after);
+  }
+  if (reached.empty()) return;
+  result.transitions += reached.size();
+  const unsigned owner = ownerOf(next);
+  auto& last = lastSent[owner];
+  if (exchange->isNew(owner)) std::ranges::fill(last, 0);
+  exchange->add(owner, [&](CheckpointWriter& record) {
+    writeState(record, last.data(), next.data(), system.words);
+    last = next;
+    record.number(reached.size());
+    for (auto domain : reached)
+      writeZone(record, domains.zones().dimension(domain), domains.zones().matrix(domain));
+  });
+}
+
+/// A rank that has met a limit still empties its mailbox, so that the others can finish the round.
+void ClassGraph::receive(CheckpointReader& records) {
+  if (result.stopped.empty()) result.stopped = limits.met(progress());
+  if (!result.stopped.empty()) return;
+  std::ranges::fill(received, 0);
+  while (records.flag()) receiveRecord(records);
+}
+
+void ClassGraph::receiveRecord(CheckpointReader& records) {
+  readState(records, received.data(), system.words);
+  const auto [id, isNew] = markings.add(received.data());
+  if (isNew) {
+    enabling.compute(received.data(), receivedEnabled);
+    describe(receivedEnabled);
+  }
+  for (auto left = records.number(); left > 0; --left) {
+    const auto domain =
+        readZone(records, static_cast<std::uint32_t>(system.transitions.size() + 1));
+    assert(domain);
+    enter(id, domains.adopt(*domain));
+  }
+}
+
+/// Whether a rank has something to expand, and all are able to.
+bool ClassGraph::isRoundLeft() {
+  exchange->finishRound();
+  std::array<std::uint64_t, 2> numbers{waiting.size(),
+                                       result.stopped.empty() && failure.message.empty() ? 0U : 1U};
+  ranks->sum(numbers);
+  return numbers[0] != 0 && numbers[1] == 0;
+}
+
+/// What ended the count on one rank has ended it on all.
+void ClassGraph::shareEnd() {
+  result.stopped = firstOf(ranks->gather(result.stopped));
+  const auto origins = ranks->gather(std::to_string(failure.origin));
+  const auto messages = ranks->gather(failure.message);
+  const auto first = std::ranges::find_if(messages, [](const auto& it) { return !it.empty(); });
+  if (first == messages.end()) return;
+  failure = {*first, static_cast<fiacre::OriginId>(
+                         std::stoul(origins[static_cast<std::size_t>(first - messages.begin())]))};
+}
+
+/// Replaces the counts of this rank by those of all.
+void ClassGraph::addUp() {
+  DistinctCount distinct(*ranks);
+  result.domains = domainsOfAll(distinct);
+  std::array<std::uint64_t, 6> numbers{result.classes,
+                                       result.markings,
+                                       result.transitions,
+                                       result.bytes,
+                                       exchange->sent().messages + distinct.sent().messages,
+                                       exchange->sent().bytes + distinct.sent().bytes};
+  ranks->sum(numbers);
+  result.ranks = ranks->count();
+  std::tie(result.classes, result.markings, result.transitions, result.bytes, result.messages,
+           result.sentBytes) = std::tuple_cat(numbers);
+}
+
+/// Ranks number domains and sets of transitions as they find them, so these are compared as such.
+std::uint64_t ClassGraph::domainsOfAll(DistinctCount& distinct) const {
+  for (const auto key : domainKeys) {
+    const std::string item = bytesOf([&](CheckpointWriter& to) {
+      writeSteps(to, possibleSets[key >> 32]);
+      const auto domain = static_cast<ZoneId>(key);
+      writeZone(to, domains.zones().dimension(domain), domains.zones().matrix(domain));
+    });
+    distinct.add(item);
+  }
+  return distinct.total();
+}
+
+} // namespace proskill::verify

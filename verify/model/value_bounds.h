@@ -1,0 +1,21 @@
+#pragma once
+
+#include "verify/model/system.h"
+
+namespace proskill::verify {
+
+/// Arithmetic beyond it, or below its negation, is a fault.
+inline constexpr std::int64_t kLargestNumber = std::int64_t{1} << 62;
+
+/// Bounds of a node's value for all values of the cells within their ranges. The sides of a
+/// conditional are bounded under its condition: `x < 5 ? x + 1 : 5` is at most 5.
+struct ValueBounds {
+  std::int64_t low = 0;
+  std::int64_t high = 0;
+};
+[[nodiscard]] ValueBounds valueBounds(const System& system, NodeId node);
+
+/// Whether evaluation may cause a fault.
+[[nodiscard]] bool mayFail(const System& system, NodeId node);
+
+} // namespace proskill::verify

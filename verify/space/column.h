@@ -1,0 +1,81 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <vector>
+
+namespace proskill::verify {
+
+/// A growing list of numbers that takes as many bits for each as the greatest of them needs: none
+/// while all are 0. It grows in pieces, so that growing never copies the list.
+class Column {
+public:
+  [[nodiscard]] std::uint32_t at(std::size_t i) const {
+    if (width == 0) return 0;
+    return read(pieces[i / kPiece].get(), i % kPiece, width);
+  }
+  void push(std::uint32_t number) {
+    if (count % kPiece == 0 && width != 0) pieces.push_back(makePiece(width));
+    ++count;
+    if (number != 0) set(count - 1, number);
+  }
+  /// \pre i < size()
+  void set(std::size_t i, std::uint32_t number) {
+    if (bitsOf(number) > width) widen(number);
+    if (width != 0) write(pieces[i / kPiece].get(), i % kPiece, width, number);
+  }
+  [[nodiscard]] std::size_t size() const { return count; }
+  [[nodiscard]] std::uint64_t bytes() const {
+    return pieces.size() * (bytesOfPiece(width) + sizeof(Piece));
+  }
+  /// Asks the processor to load an entry soon.
+  void prefetch(std::size_t i) const {
+    if (width != 0) __builtin_prefetch(pieces[i / kPiece].get() + i % kPiece * width / 8);
+  }
+
+private:
+  using Piece = std::unique_ptr<std::uint8_t[]>;
+  static constexpr std::size_t kPiece = 4096; ///< entries of a piece
+
+  /// Entries are read as eight bytes, so a piece ends with some unused ones.
+  [[nodiscard]] static std::size_t bytesOfPiece(std::uint32_t width) {
+    return kPiece / 8 * width + sizeof(std::uint64_t);
+  }
+  [[nodiscard]] static Piece makePiece(std::uint32_t width) {
+    return std::make_unique<std::uint8_t[]>(bytesOfPiece(width));
+  }
+  /// Numbers have their lowest byte first, as on all processors that there are packages for.
+  [[nodiscard]] static std::uint64_t load(const std::uint8_t* from) {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, from, sizeof bits);
+    return bits;
+  }
+  /// The entry at an index of a piece, all of whose entries have `width` bits.
+  [[nodiscard]] static std::uint32_t read(const std::uint8_t* piece, std::size_t at,
+                                          std::uint32_t width) {
+    const std::size_t bit = at * width;
+    return static_cast<std::uint32_t>(load(piece + bit / 8) >> bit % 8 & maskOf(width));
+  }
+  static void write(std::uint8_t* piece, std::size_t at, std::uint32_t width,
+                    std::uint32_t number) {
+    const std::size_t bit = at * width;
+    const std::uint64_t around =
+        (load(piece + bit / 8) & ~(maskOf(width) << bit % 8)) | std::uint64_t{number} << bit % 8;
+    std::memcpy(piece + bit / 8, &around, sizeof around);
+  }
+  [[nodiscard]] static std::uint32_t bitsOf(std::uint32_t number) {
+    return static_cast<std::uint32_t>(std::bit_width(number));
+  }
+  [[nodiscard]] static std::uint64_t maskOf(std::uint32_t width) {
+    return (std::uint64_t{1} << width) - 1;
+  }
+  void widen(std::uint32_t number);
+
+  std::uint32_t width = 0; ///< bits of each
+  std::size_t count = 0;
+  std::vector<Piece> pieces;
+};
+
+} // namespace proskill::verify

@@ -1,0 +1,170 @@
+#include "verify/space/root_table.h"
+
+#include <array>
+#include <bit>
+
+namespace proskill::verify {
+
+namespace {
+
+constexpr std::size_t kFewestSlots = 256;
+constexpr std::uint32_t kAllotment = 32;
+constexpr std::size_t kNowhere = SIZE_MAX;
+
+/// Whether a table with so many slots has to grow before another entry.
+bool isFull(std::size_t count, std::size_t slots) { return (count + 1) * 20 > slots * 17; }
+
+std::size_t grown(std::size_t slots) { return slots + slots / 5 * 2; }
+
+} // namespace
+
+RootTable::RootTable() : slots(kFewestSlots), numberMask(kFewestSlots - 1) {}
+
+/// The slot of a root, or the empty slot for it.
+std::size_t RootTable::seek(const SoughtRoot& sought) const {
+  const std::uint32_t mask = numberMask;
+  const std::uint32_t tag = tagOf(sought.hash);
+  std::size_t at = slotOf(sought.hash);
+  for (std::uint32_t value = load(at); value != 0; value = load(at)) {
+    if ((value & ~mask) == tag && holds(value & mask, sought.root)) return at;
+    at = after(at);
+  }
+  return at;
+}
+
+StateId RootTable::find(const SoughtRoot& root) const {
+  const Entry entry = load(seek(root)) & numberMask;
+  return entry == 0 || entry > count ? kNone : entry - 1;
+}
+
+StateId RootTable::push(const Root& root) {
+  left.push(root.left);
+  right.push(root.right);
+  return count++;
+}
+
+RootTable::Added RootTable::add(const SoughtRoot& root) {
+  if (isFull(used(), slots.size())) grow();
+  const std::size_t at = seek(root);
+  const Entry entry = slots[at] & numberMask;
+  if (entry > count) return settle(claimOf(entry));
+  if (entry != 0) return {entry - 1, false};
+  slots[at] = tagOf(root.hash) | (count + 1);
+  return {push(root.root), true};
+}
+
+std::uint32_t RootTable::fill(std::size_t slot, std::uint32_t value) {
+  std::uint32_t before = 0;
+  __atomic_compare_exchange_n(&slots[slot], &before, value, false, __ATOMIC_ACQ_REL,
+                              __ATOMIC_ACQUIRE);
+  return before;
+}
+
+bool RootTable::reserveClaim(Allotment& own) {
+  if (own.next < own.end) return true;
+  if (allotted.load(std::memory_order_relaxed) >= claims.size()) return false;
+  const ClaimId first = allotted.fetch_add(kAllotment, std::memory_order_relaxed);
+  if (first + kAllotment > claims.size()) return false;
+  own = {first, first + kAllotment};
+  for (ClaimId i = own.next; i < own.end; ++i) claims[i] = {{}, 0, kNone, kNowhere};
+  return true;
+}
+
+RootTable::Found RootTable::findOrClaim(const SoughtRoot& root, std::uint32_t claimant,
+                                        Allotment& own) {
+  const std::uint32_t tag = tagOf(root.hash);
+  for (std::size_t at = slotOf(root.hash);; at = after(at)) {
+    std::uint32_t value = load(at);
+    if (value == 0) {
+      if (!reserveClaim(own)) return {};
+      Claim& mine = claims[own.next];
+      mine.root = root.root;
+      mine.claimant = claimant;
+      value = fill(at, tag | entryOf(own.next));
+      if (value == 0) {
+        mine.slot = at;
+        return {kNone, own.next++, claimant, true};
+      }
+    }
+    const Entry entry = value & numberMask;
+    if ((value & ~numberMask) != tag || !holds(entry, root.root)) continue;
+    if (entry <= count) return {entry - 1, kNone, 0, false};
+    return {kNone, claimOf(entry), claims[claimOf(entry)].claimant, false};
+  }
+}
+
+RootTable::Added RootTable::settle(ClaimId claim) {
+  Claim& it = claims[claim];
+  if (it.id != kNone) return {it.id, false};
+  ++settled;
+  it.id = push(it.root);
+  slots[it.slot] = (slots[it.slot] & ~numberMask) | (it.id + 1);
+  return {it.id, true};
+}
+
+template <class Visit> void RootTable::eachOpenClaim(Visit visit) {
+  for (ClaimId i = 0; i < claimsEnd(); ++i)
+    if (claims[i].id == kNone && claims[i].slot != kNowhere) visit(i);
+}
+
+bool RootTable::prepareClaims(std::size_t most) {
+  eachOpenClaim([this](ClaimId claim) {
+    slots[claims[claim].slot] |= numberMask;
+    ++dead;
+  });
+  allotted = 0;
+  settled = 0;
+  claims.resize(std::min(most, slots.size() / 10) / kAllotment * kAllotment);
+  return isFull(count + dead + claims.size(), slots.size());
+}
+
+/// The old table is given back before the new one is made from the states.
+void RootTable::startGrowth() {
+  const std::size_t size = grown(slots.size());
+  slots = {};
+  slots.resize(size);
+  numberMask = size >= std::size_t{1} << 31 ? UINT32_MAX
+                                            : static_cast<std::uint32_t>(std::bit_ceil(size)) - 1;
+  dead = 0;
+}
+
+void RootTable::grow() {
+  startGrowth();
+  for (StateId id = 0; id < count; ++id) {
+    const std::uint64_t hash = SoughtRoot(at(id)).hash;
+    std::size_t slot = slotOf(hash);
+    while (slots[slot] != 0) slot = after(slot);
+    slots[slot] = tagOf(hash) | (id + 1);
+  }
+  eachOpenClaim([this](ClaimId claim) {
+    claims[claim].slot = put(SoughtRoot(claims[claim].root).hash, entryOf(claim));
+  });
+}
+
+/// Other threads fill slots, too, so the slots of the next few roots are loaded together.
+void RootTable::refill(std::size_t part, std::size_t parts) {
+  constexpr std::size_t kTogether = 16;
+  const std::size_t end = std::size_t{count} * (part + 1) / parts;
+  std::array<std::uint64_t, kTogether> hashes{};
+  for (std::size_t id = std::size_t{count} * part / parts; id < end; id += kTogether) {
+    const std::size_t last = std::min(end, id + kTogether);
+    for (std::size_t i = id; i < last; ++i) {
+      hashes[i - id] = SoughtRoot(at(static_cast<StateId>(i))).hash;
+      __builtin_prefetch(&slots[slotOf(hashes[i - id])], 1);
+    }
+    for (std::size_t i = id; i < last; ++i) (void)put(hashes[i - id], static_cast<Entry>(i + 1));
+  }
+}
+
+std::size_t RootTable::put(std::uint64_t hash, Entry entry) {
+  std::size_t at = slotOf(hash);
+  while (fill(at, tagOf(hash) | entry) != 0) at = after(at);
+  return at;
+}
+
+std::uint64_t RootTable::growth() const {
+  if (!isFull(used() + claims.size() + kBetweenGrowthChecks, slots.size())) return 0;
+  return (grown(slots.size()) - slots.size()) * sizeof(std::uint32_t);
+}
+
+} // namespace proskill::verify

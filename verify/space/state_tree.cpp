@@ -1,0 +1,123 @@
+#include "verify/space/state_tree.h"
+
+#include <array>
+#include <bit>
+
+namespace proskill::verify {
+
+namespace {
+
+/// Number of bits of the first word that states use.
+std::uint32_t bitsOfFirstWord(const System& system) {
+  Word used = 0;
+  for (const auto& cell : system.cells)
+    if (cell.word == 0) used |= cell.mask;
+  return static_cast<std::uint32_t>(std::bit_width(used));
+}
+
+} // namespace
+
+std::uint32_t StateTree::Numbers::add(std::uint64_t key) {
+  const auto next = static_cast<std::uint32_t>(keys.size());
+  const auto id =
+      table.findOrAdd(hash(key), next, [&](std::uint32_t other) { return keys[other] == key; });
+  if (id == next) keys.push_back(key);
+  return id;
+}
+
+std::uint32_t StateTree::Numbers::find(std::uint64_t key) const {
+  return table.find(hash(key), [&](std::uint32_t other) { return keys[other] == key; });
+}
+
+StateTree::StateTree(std::uint32_t wordsOfEach, std::uint32_t firstBits)
+    : words(wordsOfEach), half((firstBits + 1) / 2), leaves(std::max(2U, wordsOfEach)) {
+  std::vector<std::uint32_t> row(leaves);
+  for (std::uint32_t i = 0; i < leaves; ++i) row[i] = i;
+  while (row.size() > 2) {
+    std::vector<std::uint32_t> above;
+    for (std::size_t i = 0; i + 1 < row.size(); i += 2) {
+      above.push_back(leaves + static_cast<std::uint32_t>(joins.size()));
+      joins.push_back({row[i], row[i + 1]});
+    }
+    if (row.size() % 2 != 0) above.push_back(row.back());
+    row = std::move(above);
+  }
+  joins.push_back({row[0], row[1]}); // the root
+  nodes.resize(leaves + joins.size() - 1);
+  last.keys.resize(nodes.size());
+  last.ids.assign(nodes.size(), kNone);
+}
+
+StateTree::StateTree(const System& system)
+    : StateTree(system.storedWords, bitsOfFirstWord(system)) {}
+
+std::uint64_t StateTree::leaf(const Word* state, std::uint32_t i) const {
+  if (words != 1) return state[i];
+  return i == 0 ? state[0] & ((Word{1} << half) - 1) : state[0] >> half;
+}
+
+/// Finds the numbers of all nodes below the root. `number` returns that of a key in a table, or
+/// kNone.
+template <class Number>
+std::optional<SoughtRoot> StateTree::walk(const Word* state, Path& path, Number number) const {
+  const auto visit = [&](std::size_t node, std::uint64_t key) {
+    if (path.ids[node] != kNone && path.keys[node] == key) return true;
+    path.keys[node] = key;
+    path.ids[node] = number(node, key);
+    return path.ids[node] != kNone;
+  };
+  for (std::uint32_t i = 0; i < leaves; ++i)
+    if (!visit(i, leaf(state, i))) return std::nullopt;
+  for (std::size_t i = 0; i + 1 < joins.size(); ++i)
+    if (!visit(leaves + i, std::uint64_t{path.ids[joins[i].left]} << 32 | path.ids[joins[i].right]))
+      return std::nullopt;
+  return SoughtRoot({path.ids[joins.back().left], path.ids[joins.back().right]});
+}
+
+SoughtRoot StateTree::rootOf(const Word* state) {
+  return walk(state, last,
+              [&](std::size_t node, std::uint64_t key) { return nodes[node].add(key); })
+      .value_or(SoughtRoot{});
+}
+
+std::optional<SoughtRoot> StateTree::findRoot(const Word* state, Path& path) const {
+  if (path.ids.empty())
+    path = {std::vector<std::uint64_t>(nodes.size()),
+            std::vector<std::uint32_t>(nodes.size(), kNone)};
+  return walk(state, path,
+              [&](std::size_t node, std::uint64_t key) { return nodes[node].find(key); });
+}
+
+void StateTree::read(StateId id, Word* state) const {
+  constexpr std::size_t kFew = 64;
+  std::array<std::uint32_t, kFew> few{};
+  std::vector<std::uint32_t> many(nodes.size() > kFew ? nodes.size() : 0);
+  std::uint32_t* ids = many.empty() ? few.data() : many.data();
+  const Root root = roots.at(id);
+  ids[joins.back().left] = root.left;
+  ids[joins.back().right] = root.right;
+  for (std::size_t i = joins.size() - 1; i-- > 0;) {
+    const std::uint64_t key = nodes[leaves + i].keys[ids[leaves + i]];
+    ids[joins[i].left] = static_cast<std::uint32_t>(key >> 32);
+    ids[joins[i].right] = static_cast<std::uint32_t>(key);
+  }
+  if (words == 1) {
+    state[0] = nodes[0].keys[ids[0]] | nodes[1].keys[ids[1]] << half;
+    return;
+  }
+  for (std::uint32_t i = 0; i < words; ++i) state[i] = nodes[i].keys[ids[i]];
+}
+
+std::uint64_t StateTree::bytes() const {
+  std::uint64_t all = roots.bytes();
+  for (const auto& of : nodes) all += of.table.bytes() + of.keys.capacity() * sizeof(std::uint64_t);
+  return all;
+}
+
+std::uint64_t StateTree::growth() const {
+  std::uint64_t all = roots.growth();
+  for (const auto& of : nodes) all += of.table.growth() + growthOf(of.keys);
+  return all;
+}
+
+} // namespace proskill::verify

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "verify/space/root_table.h"
+#include "verify/state/store.h"
+
+#include <optional>
+#include <vector>
+
+namespace proskill::verify {
+
+/// Discrete states, each stored once and in few bytes. A state is a tree: its words are numbered,
+/// then the pairs of these numbers, and so on. States that differ little share all but a few nodes.
+/// Laarman, van de Pol, Weber, "Parallel recursive state compression for free", SPIN 2011.
+class StateTree {
+public:
+  /// The nodes of the last state that was looked up. States that are looked up one after the other
+  /// are mostly similar.
+  struct Path {
+    std::vector<std::uint64_t> keys;
+    std::vector<std::uint32_t> ids;
+  };
+
+  /// \param words of each state
+  /// \param firstBits used bits of a state that has one word only
+  StateTree(std::uint32_t words, std::uint32_t firstBits);
+  /// For the stored words of the states of a system.
+  explicit StateTree(const System& system);
+
+  /// The root of a state, whose other nodes are added.
+  [[nodiscard]] SoughtRoot rootOf(const Word* state);
+  /// The same without adding anything; nothing if the state is certainly not stored. Several
+  /// threads may call this at once, with paths of their own.
+  [[nodiscard]] std::optional<SoughtRoot> findRoot(const Word* state, Path& path) const;
+  using Added = RootTable::Added;
+  Added add(const Word* state) { return roots.add(rootOf(state)); }
+  /// The number of a state; kNone if it is not stored. Several threads may call this at once.
+  [[nodiscard]] StateId find(const SoughtRoot& root) const { return roots.find(root); }
+
+  void read(StateId id, Word* state) const;
+  [[nodiscard]] std::uint32_t size() const { return roots.size(); }
+  [[nodiscard]] std::uint64_t bytes() const;
+  /// Bytes that the next few steps may allocate at once.
+  [[nodiscard]] std::uint64_t growth() const;
+
+  RootTable roots;
+
+private:
+  /// A node that is not the root: where its children are in a Path, and its table.
+  struct Join {
+    std::uint32_t left = 0;
+    std::uint32_t right = 0;
+  };
+  /// Numbers for words, or for pairs of numbers.
+  struct Numbers {
+    std::vector<std::uint64_t> keys;
+    NumberTable table;
+
+    [[nodiscard]] static std::uint64_t hash(std::uint64_t key) {
+      return mix(mix(0, key), key >> 32);
+    }
+    std::uint32_t add(std::uint64_t key);
+    [[nodiscard]] std::uint32_t find(std::uint64_t key) const;
+  };
+
+  template <class Number>
+  std::optional<SoughtRoot> walk(const Word* state, Path& path, Number number) const;
+  [[nodiscard]] std::uint64_t leaf(const Word* state, std::uint32_t i) const;
+
+  std::uint32_t words;
+  std::uint32_t half; ///< bits of the left part of a state that has one word only
+  std::uint32_t leaves;
+  std::vector<Join> joins;
+  std::vector<Numbers> nodes; ///< of leaves, then of joins
+  Path last;
+};
+
+} // namespace proskill::verify

@@ -1,0 +1,96 @@
+#include "verify/space/zone_graph.h"
+
+#include <algorithm>
+
+namespace proskill::verify {
+
+ZoneGraph::ZoneGraph(const System& system, const Bits& dropped, Extrapolation extrapolation)
+    : enabling(system, dropped),
+      timing(system, extrapolation),
+      states(system),
+      keepsSteps(!system.clocks.empty()) {}
+
+void ZoneGraph::addState(SignatureId signature) {
+  signatures.push(signature);
+  coverOf.push(0);
+}
+
+void ZoneGraph::addNode(StateId state, ZoneId zone, TransitionId step, bool replaces) {
+  const NodeIndex node = size();
+  const bool isFirst = state == heads.size();
+  NodeIndex next = isFirst ? kNone : headOf(state);
+  if (!isFirst && replaces) next = removeSubsumed(state, zone);
+  lags.push(node - state);
+  zones.push(zone);
+  links.push(next == kNone ? 0 : node - next);
+  steps.push(keepsSteps ? step + 1 : 0);
+  parents.addChild();
+  if (isFirst)
+    heads.push(node - state);
+  else
+    heads.set(state, node - state);
+}
+
+bool ZoneGraph::covers(StateId state, std::span<const Bound> zone, bool inclusion) const {
+  const auto& all = timing.zones();
+  if (const auto cover = coverOf.at(state); cover != 0) return unions[cover - 1].includesZone(zone);
+  for (NodeIndex i = headOf(state); i != kNone; i = nextOf(i)) {
+    const auto known = all.matrix(zones.at(i));
+    if (inclusion ? includes(known, zone) : std::ranges::equal(known, zone)) return true;
+  }
+  return false;
+}
+
+/// Removes the nodes whose zones a new one includes from the list of a state. If many remain, the
+/// state gets a cover. \return the first that remains
+NodeIndex ZoneGraph::removeSubsumed(StateId state, ZoneId zone) {
+  constexpr std::size_t kMany = 16;
+  if (coverOf.at(state) != 0) {
+    addToCover(state, kNone, zone);
+    return headOf(state);
+  }
+  const auto outer = timing.zones().matrix(zone);
+  std::size_t left = 0;
+  NodeIndex first = kNone;
+  NodeIndex last = kNone;
+  for (NodeIndex i = headOf(state); i != kNone; i = nextOf(i)) {
+    if (includes(outer, timing.zones().matrix(zones.at(i)))) {
+      subsumed.insert(i);
+      continue;
+    }
+    if (last != kNone) links.set(last, last - i);
+    if (last == kNone) first = i;
+    last = i;
+    ++left;
+  }
+  if (last != kNone) links.set(last, 0);
+  if (left >= kMany) addToCover(state, first, zone);
+  return first;
+}
+
+/// Adds the zone to the cover of the state; a new cover begins with the nodes of the state.
+void ZoneGraph::addToCover(StateId state, NodeIndex first, ZoneId zone) {
+  if (coverOf.at(state) == 0) {
+    unions.emplace_back();
+    coverOf.set(state, static_cast<std::uint32_t>(unions.size()));
+    for (NodeIndex i = first; i != kNone; i = nextOf(i))
+      unions.back().add(timing.zones().zone(zones.at(i)));
+    coverBytes += unions.back().bytes();
+  }
+  ZoneCover& cover = unions[coverOf.at(state) - 1];
+  coverBytes -= cover.bytes();
+  cover.add(timing.zones().zone(zone));
+  coverBytes += cover.bytes();
+}
+
+std::uint64_t ZoneGraph::bytes() const {
+  std::uint64_t all = timing.bytes() + states.bytes() + coverBytes + parents.bytes() +
+                      subsumed.bytes() + unions.capacity() * sizeof(ZoneCover);
+  for (const Column* column : {&signatures, &heads, &coverOf, &lags, &zones, &links, &steps})
+    all += column->bytes();
+  return all;
+}
+
+std::uint64_t ZoneGraph::growth() const { return timing.growth() + states.growth(); }
+
+} // namespace proskill::verify
