@@ -36,7 +36,7 @@ struct WatchNode {
   bool rests = false;   ///< the model takes no more step
   NodeIndex parent = kNone;
   WatchMove move;
-  NodeIndex next = kNone; ///< in the list of the nodes of this state
+  NodeIndex next = kNone; ///< in the list of the nodes that may cover each other
 };
 
 struct WatchArc {

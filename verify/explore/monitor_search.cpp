@@ -90,11 +90,11 @@ private:
   }
   [[nodiscard]] bool done() const { return result.evidence || !result.failure.empty(); }
   [[nodiscard]] std::uint64_t bytes() const {
-    return zones.bytes() + states.bytes() + timing.bytes() + graph.bytes();
+    return zones.bytes() + states.bytes() + timing.bytes() + graph.bytes() + lists.bytes();
   }
   [[nodiscard]] std::uint64_t growth() const {
     return zones.growth() + states.growth() + timing.growth() + graph.growth() +
-           growthOf(signatureOf) + growthOf(headOf);
+           lists.growth() + growthOf(signatureOf) + growthOf(headOf);
   }
   [[nodiscard]] Progress progress() const {
     return {graph.size(), states.size(), graph.size() - next, bytes(), limits.seconds()};
@@ -136,30 +136,34 @@ private:
     std::vector<Word> kept = there.state;
     if (reductions.liveVariables) reductions.liveVariables->clean(kept.data());
     const auto [id, isNew] = states.add(kept.data());
-    if (isNew) {
-      signatureOf.push_back(signature);
-      headOf.push_back(kNone);
-    }
+    if (isNew) signatureOf.push_back(signature);
     const ZoneId zoneId = zones.add(*made);
-    const WatchNode node{id, zoneId, location, !stays, rests, parent, move, headOf[id]};
+    WatchNode node{id, zoneId, location, !stays, rests, parent, move};
+    NodeIndex& head = headOf[listOf(node)];
+    node.next = head;
     const NodeIndex known = find(node);
     const auto index = known == kNone ? static_cast<NodeIndex>(graph.size()) : known;
     if (parent != kNone) graph.addArc(parent, index, move);
     if (known != kNone) return;
     graph.addNode(node);
-    headOf[id] = index;
+    head = index;
     if (at.error) result.evidence = graph.evidenceTo(index);
+  }
+
+  /// The list of the nodes that may cover this one.
+  std::uint32_t listOf(const WatchNode& node) {
+    const std::uint32_t flags = (node.instant ? 1U : 0U) + (node.rests ? 2U : 0U);
+    return lists.get({node.state, node.location, flags, cycles ? node.zone : 0}, [&] {
+      headOf.push_back(kNone);
+      return static_cast<std::uint32_t>(headOf.size() - 1);
+    });
   }
 
   /// A node that covers the new one. When searching for cycles, only an equal node does.
   [[nodiscard]] NodeIndex find(const WatchNode& node) const {
     for (NodeIndex i = node.next; i != kNone; i = graph.at(i).next) {
-      const WatchNode& known = graph.at(i);
-      if (known.location != node.location || known.instant != node.instant ||
-          known.rests != node.rests)
-        continue;
-      if (known.zone == node.zone) return i;
-      if (!cycles && includes(zones.matrix(known.zone), zones.matrix(node.zone))) return i;
+      const ZoneId known = graph.at(i).zone;
+      if (known == node.zone || includes(zones.matrix(known), zones.matrix(node.zone))) return i;
     }
     return kNone;
   }
@@ -339,7 +343,8 @@ private:
   StateStore states;
   ZoneStore zones;
   std::vector<SignatureId> signatureOf; ///< by state
-  std::vector<NodeIndex> headOf;        ///< by state
+  Memo lists;                           ///< numbers of lists of nodes
+  std::vector<NodeIndex> headOf;        ///< by list
   Watched result;
   NodeIndex next = 0; ///< to expand
 
