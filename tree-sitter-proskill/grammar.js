@@ -335,7 +335,8 @@ module.exports = grammar({
     precondition_field: $ => keyed($, ':precondition', $.precondition_list),
     precondition_list: $ =>
       form($, repeat(choice($.precondition, $._word_but_symbol, $._condition_form))),
-    precondition: $ => tagged($, 'condition', choice($._condition_form, $.boolean)),
+    precondition: $ =>
+      tagged($, 'condition', choice($._condition_form, $.boolean, $.parameter)),
 
     start_field: $ => keyed($, ':start', $._effects),
 
