@@ -28,6 +28,12 @@ bool isAtomWord(std::string_view word) {
 /// The statuses of a skill that has ended.
 std::span<const std::string_view> endedWords() { return statusWords().subspan(1); }
 
+/// Whether a truth value is an input, `true` or `false`, and not a condition in parentheses.
+bool isOneWord(const Expr& operand) {
+  return operand.kind == ExprKind::Parameter || operand.kind == ExprKind::True ||
+         operand.kind == ExprKind::False;
+}
+
 } // namespace
 
 void Expressions::condition(const Expr& expr) {
@@ -62,7 +68,7 @@ void Expressions::condition(const Expr& expr) {
   case ExprKind::Occurs:
   case ExprKind::At:
   case ExprKind::Value: return atom(expr);
-  case ExprKind::Parameter:
+  case ExprKind::Parameter: return truthValue(expr);
   case ExprKind::Number:
   case ExprKind::Symbol:
   case ExprKind::String:
@@ -131,9 +137,16 @@ void Expressions::equality(const Expr& expr) {
   const Expr& other = expr.operands[swapped ? 0 : 1];
   const Type wanted = value(anchor);
   const Type given = operand(other, wanted);
-  if (!comparable(wanted, given))
-    context.findings.report(Code::ComparedTypes, {file, expr.range},
-                            describe(wanted, context.symbols), describe(given, context.symbols));
+  const bool areTruthValues =
+      wanted.kind == TypeKind::Boolean && given == wanted && isOneWord(anchor) && isOneWord(other);
+  if (!areTruthValues && !comparable(wanted, given))
+    context.findings.report(Code::ComparedTypes, {file, expr.range}, described(anchor, wanted),
+                            described(other, given));
+}
+
+std::string Expressions::described(const Expr& expr, Type type) const {
+  const bool isCondition = type.kind == TypeKind::Boolean && !isOneWord(expr);
+  return isCondition ? "a condition" : describe(type, context.symbols);
 }
 
 Type Expressions::value(const Expr& expr) {
@@ -226,18 +239,25 @@ void Expressions::natural(const Expr& expr) {
     refuse(Code::ExpectedNatural, expr, describe(type, context.symbols));
 }
 
-/// A parameter with the values of a state variable is part of the verified model; others only go to
-/// the platform.
+/// A truth value, or a parameter with the values of a state variable, is part of the verified
+/// model; others only go to the platform.
 Type Expressions::parameter(const Expr& expr) {
   if (skill == kNoSymbol) {
     refuse(Code::ParameterOutsideSkill, expr, std::string(expr.name.text));
     return {};
   }
   const Type type = Arguments(context, file, skill).parameter(expr.name);
-  if (!type.known() || type.of != kNoSymbol) return type;
+  if (!type.known() || type.of != kNoSymbol || type.kind == TypeKind::Boolean) return type;
   context.findings.report(Code::ParameterInCondition, {file, expr.range}, expr.name.text,
                           describe(type, context.symbols));
   return {};
+}
+
+/// A parameter in place of a condition.
+void Expressions::truthValue(const Expr& parameter) {
+  const Type type = this->parameter(parameter);
+  if (type.known() && type.kind != TypeKind::Boolean)
+    refuse(Code::ExpectedCondition, parameter, describe(type, context.symbols));
 }
 
 void Expressions::noCondition(const Expr& expr) {

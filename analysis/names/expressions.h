@@ -37,6 +37,8 @@ private:
   void test(const syntax::Expr& expr);
   void valueOf(const syntax::Name& name, const syntax::Expr& value, Role role);
   Type parameter(const syntax::Expr& expr);
+  void truthValue(const syntax::Expr& parameter);
+  [[nodiscard]] std::string described(const syntax::Expr& expr, Type type) const;
   void onlyInProperty(const syntax::Name& word);
   void atom(const syntax::Expr& expr);
   void valueAtom(const syntax::Expr& expr);

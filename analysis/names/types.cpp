@@ -45,6 +45,11 @@ Type typeNamed(const Program& program, const SymbolTable& symbols, std::string_v
   return variable == kNoSymbol ? Type{} : typeOfVariable(program, symbols, variable);
 }
 
+bool isTruthValue(const syntax::Input& input) {
+  const auto* basic = std::ranges::find(kBasicTypes, input.type.text, &BasicType::word);
+  return basic != kBasicTypes.end() && basic->kind == TypeKind::Boolean;
+}
+
 Type typeOfNumber(const syntax::Expr& number) {
   if (number.decimal) return {TypeKind::Float, kNoSymbol};
   return {number.number.numerator < 0 ? TypeKind::Integer : TypeKind::Natural, kNoSymbol};

@@ -40,6 +40,8 @@ constexpr std::string_view kNoResult = "no_result";
 /// The type with this name: `float`, `battery`. Unknown if there is none.
 [[nodiscard]] Type typeNamed(const Program& program, const SymbolTable& symbols,
                              std::string_view name);
+/// Whether the input is a truth value, so that conditions can test it.
+[[nodiscard]] bool isTruthValue(const syntax::Input& input);
 /// The narrowest type of a number as written.
 [[nodiscard]] Type typeOfNumber(const syntax::Expr& number);
 

@@ -17,7 +17,13 @@ fiacre::Expr comparison(Context& context, Op op, const syntax::Expr& expr) {
 
 bool isEnumeration(Context& context, const syntax::Expr& expr) {
   const auto operand = context.operand(expr);
-  return operand && !operand->type->isNatural();
+  return operand && operand->type && !operand->type->isNatural();
+}
+
+bool isTruthValue(Context& context, const syntax::Expr& expr) {
+  if (expr.kind == ExprKind::True || expr.kind == ExprKind::False) return true;
+  const auto operand = context.operand(expr);
+  return operand && !operand->type;
 }
 
 bool isMember(const syntax::Expr& expr, std::string_view member) {
@@ -108,6 +114,7 @@ fiacre::Expr equality(Context& context, const syntax::Expr& a, const syntax::Exp
     return sameResult(context, a.name.text, b.name.text);
   if (isMember(a, "res")) return resultIs(context, a.name.text, b.name.text);
   if (isMember(b, "res")) return resultIs(context, b.name.text, a.name.text);
+  if (isTruthValue(context, a)) return equal(condition(context, a), condition(context, b));
   // the first operand that is a variable determines the meaning of the other word
   if (isEnumeration(context, a)) return hasValue(context, *context.operand(a), a, b);
   if (isEnumeration(context, b)) return hasValue(context, *context.operand(b), b, a);
@@ -152,11 +159,11 @@ fiacre::Expr condition(Context& context, const syntax::Expr& expr) {
   case ExprKind::LessEqual: return comparison(context, Op::LessEqual, expr);
   case ExprKind::Greater: return comparison(context, Op::Greater, expr);
   case ExprKind::GreaterEqual: return comparison(context, Op::GreaterEqual, expr);
+  case ExprKind::Parameter: return name(context.operand(expr)->variable);
   case ExprKind::Missing:
   case ExprKind::Number:
   case ExprKind::Symbol:
   case ExprKind::String:
-  case ExprKind::Parameter:
   case ExprKind::Access:
   case ExprKind::Add:
   case ExprKind::Subtract:

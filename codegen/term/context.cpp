@@ -1,5 +1,7 @@
 #include "codegen/term/context.h"
 
+#include "analysis/names/types.h"
+
 #include <algorithm>
 
 namespace proskill::codegen {
@@ -17,9 +19,12 @@ std::optional<Operand> Context::operand(const syntax::Expr& expr) {
   if (expr.kind != syntax::ExprKind::Parameter || !writtenIn) return std::nullopt;
   for (const auto& input : writtenIn->skill().inputs)
     if (input.name.text == expr.name.text)
-      return Operand{names.input(writtenIn->name(), input.name.text),
-                     &stateVariable(input.type.text)};
+      return Operand{names.input(writtenIn->name(), input.name.text), typeOf(input)};
   return std::nullopt;
+}
+
+const syntax::StateVariable* Context::typeOf(const syntax::Input& input) const {
+  return analysis::isTruthValue(input) ? nullptr : &stateVariable(input.type.text);
 }
 
 fiacre::Expr Context::outcomeField(std::string_view skill, std::string_view field) {

@@ -21,7 +21,7 @@ namespace proskill::codegen {
 /// What a word or a parameter of a condition refers to.
 struct Operand {
   std::string variable;                        ///< of the model
-  const syntax::StateVariable* type = nullptr; ///< the state variable whose values it has
+  const syntax::StateVariable* type = nullptr; ///< whose values it has; null: it is a truth value
 };
 
 /// The input of all parts of the generator: the program, the plan, and results that parts pass to
@@ -76,6 +76,8 @@ struct Context {
   }
   /// A state variable, or an input of the skill that is being translated; nullopt for others.
   [[nodiscard]] std::optional<Operand> operand(const syntax::Expr& expr);
+  /// The state variable whose values an input has; null: it is a truth value.
+  [[nodiscard]] const syntax::StateVariable* typeOf(const syntax::Input& input) const;
   /// A field of a skill or a branch: `skill[takeoff].status`.
   [[nodiscard]] fiacre::Expr cellField(std::string_view thread, std::string_view field);
   /// `status` or `val` of a skill as the body `reader` sees it: of its own last call if several

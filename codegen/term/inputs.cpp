@@ -18,21 +18,30 @@ fiacre::Expr variableOf(Context& context, const SkillPlan& skill, const syntax::
   return name(context.names.input(skill.name(), input.name.text));
 }
 
-std::vector<fiacre::Expr> valuesOf(Context& context, const syntax::StateVariable& type) {
+std::vector<fiacre::Expr> valuesOf(Context& context, const syntax::Input& input) {
+  const auto* type = context.typeOf(input);
+  if (!type) return {boolean(false), boolean(true)};
   std::vector<fiacre::Expr> all;
-  for (const auto& state : type.states)
-    all.push_back(name(context.names.value(type.name.text, state.text)));
-  if (!type.isNatural()) return all;
-  const auto [low, high] = domainOf(type);
+  for (const auto& state : type->states)
+    all.push_back(name(context.names.value(type->name.text, state.text)));
+  if (!type->isNatural()) return all;
+  const auto [low, high] = domainOf(*type);
   for (auto each = low; each <= high; ++each) all.push_back(number(each));
   return all;
 }
 
-/// The argument as a value of the type: a number, one of its values, or the caller's own input.
-fiacre::Expr argument(Context& context, const syntax::Expr& expr,
-                      const syntax::StateVariable& type) {
-  if (type.isNatural()) return Linear(context, expr).expr();
-  return enumerationValue(context, type, expr);
+/// The argument as a value of the input's type: a truth value, a number, one of the type's values,
+/// or the caller's own input.
+fiacre::Expr argument(Context& context, const syntax::Expr& expr, const syntax::Input& input) {
+  const auto* type = context.typeOf(input);
+  if (!type) return condition(context, expr);
+  if (type->isNatural()) return Linear(context, expr).expr();
+  return enumerationValue(context, *type, expr);
+}
+
+fiacre::Type typeOf(Context& context, const syntax::Input& input) {
+  const auto* type = context.typeOf(input);
+  return type ? namedType(context.names.type(type->name.text)) : boolType();
 }
 
 } // namespace
@@ -45,8 +54,7 @@ Statement setInputs(Context& context, const SkillPlan& callee, const syntax::Sta
         call.arguments, [&](const auto& each) { return each.name.text == bare; });
     if (given != call.arguments.end())
       all.push_back(
-          assign(variableOf(context, callee, *input),
-                 argument(context, given->value, context.stateVariable(input->type.text))));
+          assign(variableOf(context, callee, *input), argument(context, given->value, *input)));
   }
   return sequence(std::move(all));
 }
@@ -55,7 +63,7 @@ Statement chooseInputs(Context& context, const SkillPlan& callee) {
   std::vector<Statement> all;
   for (const auto* input : callee.inputs) {
     std::vector<Statement> choices;
-    for (auto& value : valuesOf(context, context.stateVariable(input->type.text)))
+    for (auto& value : valuesOf(context, *input))
       choices.push_back(assign(variableOf(context, callee, *input), std::move(value)));
     all.push_back(select(std::move(choices)));
   }
@@ -69,13 +77,10 @@ std::string shownInput(std::string_view skill, std::string_view input) {
 std::vector<fiacre::Variable> inputVariables(Context& context) {
   std::vector<fiacre::Variable> all;
   for (const auto& skill : context.plan.skills)
-    for (const auto* input : skill.inputs) {
-      const auto& type = context.stateVariable(input->type.text);
-      all.push_back({context.names.input(skill.name(), input->name.text),
-                     namedType(context.names.type(input->type.text)),
-                     valuesOf(context, type).front(),
+    for (const auto* input : skill.inputs)
+      all.push_back({context.names.input(skill.name(), input->name.text), typeOf(context, *input),
+                     valuesOf(context, *input).front(),
                      fmt::format("`{}` of the last call of {}", input->name.text, skill.name())});
-    }
   return all;
 }
 

@@ -16,6 +16,12 @@ Words shownValues(Context& context, const syntax::StateVariable& variable) {
   return words;
 }
 
+/// A truth value is shown as it is.
+Words shownValues(Context& context, const syntax::Input& input) {
+  const auto* type = context.typeOf(input);
+  return type ? shownValues(context, *type) : Words();
+}
+
 Words resultsOf(Context& context, const syntax::Skill& skill) {
   Words words;
   const auto add = [&](const auto& tagged, std::string_view status) {
@@ -45,8 +51,7 @@ std::vector<fiacre::Watched> watchedVariables(Context& context) {
     if (skill.resultIsRead) add("val", "res", resultsOf(context, skill.skill()));
     for (const auto* input : skill.inputs)
       all.push_back({context.names.input(skill.name(), input->name.text),
-                     shownInput(skill.name(), input->name.text),
-                     shownValues(context, context.stateVariable(input->type.text))});
+                     shownInput(skill.name(), input->name.text), shownValues(context, *input)});
   }
   for (const auto& resource : context.program.resources.all)
     all.push_back(

@@ -96,11 +96,47 @@ TEST_CASE("an input whose type is a state variable has its values in conditions 
   CHECK(skill(":precondition (a (room $from))") == "PS0208 from");
 }
 
+TEST_CASE("an input that is a truth value is a condition") {
+  auto skill = [](const std::string& fields) {
+    return findings(
+        "(defsv door :states (Open Shut) :init Open) (defsv level :init 0 :min 0 :max 3)"
+        "(defskill s :input ($a bool $b bool $n nat $by level) " +
+        fields + ") (defskill m :body ((s a true b false n 1 by 2)))");
+  };
+  auto body = [&](const std::string& text) { return skill(":body (" + text + ")"); };
+  CHECK(skill(":precondition (p $a q (=> $b (door Open)) r true) :start (door Shut) :action (x)") ==
+        "");
+  CHECK(skill(":invariant (i (:guard $a)) :success ok (:postcondition $b) :action (x)") == "");
+  CHECK(body("(if $a (^ $b) elseif (not $a) (^ (and $a (door Open)) :timeout 1))") == "");
+  CHECK(body("(while (<=> $a (door Open)) (^ 1)) (do (^ 1) until (or $a $b))") == "");
+  CHECK(body("(if (= $a $b) (^ 1)) (if (/= $a true) (^ 1)) (if (= false $b) (^ 1))") == "");
+  CHECK(body("(^ (= $a (door Open)))") == "PS0303 (= $a (door Open))");
+  CHECK(body("(^ (= $a door))") == "PS0303 (= $a door)");
+  CHECK(body("(^ (= $a 1))") == "PS0303 (= $a 1)");
+  CHECK(body("(^ (= $by true))") == "PS0303 (= $by true)");
+  CHECK(body("(^ (= $n true))") == "PS0309 $n");
+  CHECK(body("(^ (< $a 1))") == "PS0304 $a");
+  CHECK(body("(^ (door $a))") == "PS0302 $a");
+  CHECK(body("(set (door $a))") == "PS0302 $a");
+  CHECK(body("(^ $by)") == "PS0301 $by");
+  CHECK(body("(if (and $a $n) (^ 1))") == "PS0309 $n");
+}
+
+TEST_CASE("a condition is compared by an equivalence") {
+  const std::string world = "(defsv door :states (Open Shut) :init Open) ";
+  const auto found = proskill::test::diagnose(
+      world + "(defskill s :input ($a bool) :body ((^ (= $a (door Open))))) "
+              "(defskill m :body ((s a true)))");
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].message == "a truth value cannot be compared with a condition");
+}
+
 TEST_CASE("only skills have inputs") {
   const std::string room = "(defsv room :states (Hall Attic) :init Hall) ";
   CHECK(findings(room + "(defevent e :effects (room $to))") == "PS0311 $to");
   CHECK(findings(room + "(defproperty p (never (room $to)))") == "PS0311 $to");
   CHECK(findings(room + "(defenvironment e :body ((^ (room $to))))") == "PS0311 $to");
+  CHECK(findings(room + "(defenvironment e :body ((^ $fast)))") == "PS0311 $fast");
 }
 
 TEST_CASE("other parameters are passed on, not tested") {

@@ -56,6 +56,27 @@ TEST_CASE("the most general caller passes all values") {
   CHECK(contains(model, "go_to := Hall\n    []\n        go_to := Attic"));
 }
 
+TEST_CASE("a truth value that conditions read is set by the call and passed on") {
+  const auto model = textOf(R"((defskill go :input ($fast bool $loud bool) :action (go $loud)
+  :precondition (slow (not $fast)) :success there)
+(defskill visit :input ($fast bool) :body ((go fast $fast loud true)))
+(defskill mission :body ((visit fast true) (visit fast false)))
+)");
+  CHECK(contains(model, "go_fast: bool := false"));
+  CHECK(contains(model, "visit_fast := true"));
+  CHECK(contains(model, "visit_fast := false"));
+  CHECK(contains(model, "go_fast := visit_fast"));
+  CHECK(contains(model, "if (not go_fast) then"));
+  CHECK_FALSE(contains(model, "go_loud"));
+}
+
+TEST_CASE("the most general caller passes both truth values") {
+  const auto model = textOf("(defskill go :input ($fast bool) :precondition (slow (= $fast false))"
+                            " :action (go $fast) :success there)\n");
+  CHECK(contains(model, "go_fast := false\n    []\n        go_fast := true"));
+  CHECK(contains(model, "if (go_fast = false) then"));
+}
+
 TEST_CASE("an input as the target of a move is tested for each of its values") {
   const auto model = textOf(R"((defsv lid :states (Open Shut) :init Shut :transitions ((Shut Open)))
 (defskill turn :input ($to lid) :action (turn) :success ok (:effects (lid $to)))

@@ -27,6 +27,23 @@ TEST_CASE("An event may strike between any two steps") {
   CHECK(flow.at("(set (light Off))", "light") == "On or Broken");
 }
 
+TEST_CASE("An input that is a truth value has those that calls pass") {
+  const std::string skill = kLight + R"((defskill shine :input ($bright bool) :body
+  ((if $bright (set (light On)) else (set (light Broken)))))
+)";
+  Analysed one(skill + "(defskill mission :body ((shine bright true)))");
+  CHECK(one.ever("light") == "Off or On");
+  CHECK_FALSE(one.reaches("(set (light Broken))"));
+  Analysed both(skill + R"((defskill pass :input ($it bool) :body ((shine bright $it)))
+(defskill mission :body ((shine bright true) (pass it false))))");
+  CHECK(both.ever("light") == "Off, On or Broken");
+  Analysed equal(kLight + R"((defskill shine :input ($a bool $b bool) :body
+  ((if (= $a $b) (set (light On))) (if (/= $a true) (set (light Broken)))))
+(defskill mission :body ((shine a false b false))))");
+  CHECK(equal.reaches("(set (light On))"));
+  CHECK(equal.reaches("(set (light Broken))"));
+}
+
 TEST_CASE("Within a step nothing comes in between") {
   Analysed flow(kLight + R"((defevent breaks :effects (light Broken))
 (defskill mission :body ((^ (light Broken) :effects (light On)) (flash))))");

@@ -2,6 +2,7 @@
 
 #include "analysis/flow/domain/numbers.h"
 #include "analysis/names/symbols.h"
+#include "analysis/names/types.h"
 #include "analysis/names/walk.h"
 
 namespace proskill::analysis::flow {
@@ -31,9 +32,11 @@ const Inputs::Input* Inputs::find(std::size_t skill, std::string_view name) cons
 void Inputs::declare(std::size_t skill) {
   for (const auto& input : program.skills.all[skill]->inputs) {
     const auto type = program.stateVariables.byName.find(input.type.text);
-    if (type == program.stateVariables.byName.end()) continue;
-    known[{skill, input.name.text}] = {.type =
-                                           variables.of(VariableKind::StateVariable, type->second)};
+    if (isTruthValue(input))
+      known[{skill, input.name.text}] = {};
+    else if (type != program.stateVariables.byName.end())
+      known[{skill, input.name.text}] = {
+          .type = variables.of(VariableKind::StateVariable, type->second)};
   }
 }
 
@@ -50,15 +53,18 @@ void Inputs::pass(std::size_t caller, const syntax::Statement& call) {
 void Inputs::passValue(const Key& from, const syntax::Expr& value, const Key& to) {
   const auto input = known.find(to);
   if (input == known.end()) return;
-  const Domain& domain = variables[input->second.type].domain;
   if (value.kind == syntax::ExprKind::Parameter && known.contains(from))
     passed.emplace_back(from, to);
-  else if (const auto number = wholeNumber(value))
+  else if (const auto number = numberOf(value, input->second))
     numbers[to].insert(*number);
-  else if (const auto word = domain.numberOf(value.name.text))
-    numbers[to].insert(*word);
   else
     any.insert(to);
+}
+
+std::optional<std::int64_t> Inputs::numberOf(const syntax::Expr& value, const Input& input) const {
+  if (!input.type) return truthValue(value);
+  if (const auto number = wholeNumber(value)) return number;
+  return variables[*input.type].domain.numberOf(value.name.text);
 }
 
 /// Repeated until nothing changes, since callers pass on their own inputs.
@@ -73,10 +79,15 @@ void Inputs::spread() {
   }
 }
 
+Span Inputs::allValues(const Input& input) const {
+  if (!input.type) return {0, 1};
+  const Domain& domain = variables[*input.type].domain;
+  return {domain.min(), domain.max()};
+}
+
 /// \param given empty: any value
 void Inputs::setValues(Input& input, const std::set<std::int64_t>& given) const {
-  const Domain& domain = variables[input.type].domain;
-  if (given.empty()) input.values = {{domain.min(), domain.max()}};
+  if (given.empty()) input.values = {allValues(input)};
   for (const auto number : given) input.values.push_back({number, number});
 }
 

@@ -3,6 +3,7 @@
 #include "analysis/flow/domain/variables.h"
 
 #include <map>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -11,12 +12,13 @@
 namespace proskill::analysis::flow {
 
 /// The values that the inputs of skills can have: those that calls pass, directly or as an input of
-/// the caller; of a library's skills, any. Inputs whose type is not a state variable are unknown.
+/// the caller; of a library's skills, any. Truth values are numbers: 0 is false, 1 is true. Inputs
+/// of other types than these and state variables are unknown.
 class Inputs {
 public:
   struct Input {
-    VariableId type = 0;        ///< the state variable whose values it has
-    std::vector<Span> values{}; ///< of any call
+    std::optional<VariableId> type; ///< the state variable whose values it has; none: a truth value
+    std::vector<Span> values{};     ///< of any call
   };
 
   Inputs(const Program& program, const Variables& variables);
@@ -31,7 +33,10 @@ private:
   void declare(std::size_t skill);
   void pass(std::size_t caller, const syntax::Statement& call);
   void passValue(const Key& from, const syntax::Expr& value, const Key& to);
+  [[nodiscard]] std::optional<std::int64_t> numberOf(const syntax::Expr& value,
+                                                     const Input& input) const;
   void spread();
+  [[nodiscard]] Span allValues(const Input& input) const;
   void setValues(Input& input, const std::set<std::int64_t>& given) const;
 
   const Program& program;

@@ -52,6 +52,12 @@ std::optional<std::int64_t> wholeNumber(const Expr& expr) {
   return expr.number.numerator;
 }
 
+std::optional<std::int64_t> truthValue(const Expr& expr) {
+  if (expr.kind == syntax::ExprKind::True) return 1;
+  if (expr.kind == syntax::ExprKind::False) return 0;
+  return std::nullopt;
+}
+
 std::vector<std::int64_t> numbersIn(const Program& program) {
   Collector collector;
   for (const auto& event : program.events.all) {

@@ -145,6 +145,7 @@ const Domain* Resolver::wordsOf(const Expr& expr, const Slots& slots) const {
 
 Term Resolver::term(const Expr& expr, const Domain* beside, const Slots& slots) const {
   if (auto number = wholeNumber(expr)) return {.kind = Term::Kind::Number, .number = *number};
+  if (auto number = truthValue(expr)) return {.kind = Term::Kind::Number, .number = *number};
   if (expr.kind == ExprKind::Symbol && beside)
     if (auto number = beside->numberOf(expr.name.text))
       return {.kind = Term::Kind::Number, .number = *number};
@@ -193,6 +194,13 @@ Condition Resolver::connective(Condition::Kind kind, const Expr& expr, const Slo
   return result;
 }
 
+/// An input by itself.
+Condition Resolver::truth(const Expr& parameter, const Slots& slots) const {
+  const auto* input = inputOf(parameter, slots);
+  if (!input || input->type) return {};
+  return compare(Comparison::Equal, parameter, {.kind = ExprKind::True}, slots);
+}
+
 Condition Resolver::implication(const Expr& from, const Expr& to, const Slots& slots) const {
   Condition fails{.kind = Condition::Kind::Not, .operands = {condition(from, slots)}};
   return {.kind = Condition::Kind::Or, .operands = {std::move(fails), condition(to, slots)}};
@@ -224,11 +232,11 @@ Condition Resolver::condition(const Expr& expr, const Slots& slots) const {
     return {.kind = Condition::Kind::And,
             .operands = {implication(expr.operands[0], expr.operands[1], slots),
                          implication(expr.operands[1], expr.operands[0], slots)}};
+  case ExprKind::Parameter: return truth(expr, slots);
   case ExprKind::Missing:
   case ExprKind::Number:
   case ExprKind::Symbol:
   case ExprKind::String:
-  case ExprKind::Parameter:
   case ExprKind::Access:
   case ExprKind::Equal:
   case ExprKind::NotEqual:

@@ -30,6 +30,7 @@ private:
   [[nodiscard]] Term term(const syntax::Expr& expr, const Domain* beside, const Slots& slots) const;
   [[nodiscard]] Condition compare(Comparison comparison, const syntax::Expr& left,
                                   const syntax::Expr& right, const Slots& slots) const;
+  [[nodiscard]] Condition truth(const syntax::Expr& parameter, const Slots& slots) const;
   [[nodiscard]] Condition implication(const syntax::Expr& from, const syntax::Expr& to,
                                       const Slots& slots) const;
   [[nodiscard]] Condition connective(Condition::Kind kind, const syntax::Expr& expr,

@@ -201,3 +201,14 @@ TEST_CASE("an input is told with its value") {
       "energy.no_forbidden_transition");
   CHECK(stepThat(adds, "forbidden").why == "`energy` 3 + 2 = 5 is above `:max` 4");
 }
+
+TEST_CASE("a truth value is told with its input") {
+  const auto chooses =
+      traceOf(kRobot + R"((defskill turn :input ($gently bool) :success ok :failure no :body
+  ((if $gently (success ok) else (failure no))))
+(defskill mission :body ((turn gently true) (turn gently false)))
+(defproperty works (never (ended turn failure)))
+)",
+              "works");
+  CHECK(stepThat(chooses, "tests `$gently`: false").why == "`turn.gently` is false since step 7");
+}
