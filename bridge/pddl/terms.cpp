@@ -103,6 +103,8 @@ std::string Terms::equality(const syntax::Expr& expr) {
   const auto& right = expr.operands.back();
   if (left.kind == Kind::Access || right.kind == Kind::Access)
     return fail(expr, "a condition about a skill");
+  if (left.kind == Kind::Parameter || right.kind == Kind::Parameter)
+    return fail(expr, "a test of an input");
   const auto* a = left.kind == Kind::Symbol ? enumeration(left.name.text) : nullptr;
   const auto* b = right.kind == Kind::Symbol ? enumeration(right.name.text) : nullptr;
   if (a && right.kind == Kind::Symbol && hasValue(*a, right.name.text))
@@ -146,11 +148,11 @@ std::string Terms::condition(const syntax::Expr& expr) {
     const auto right = condition(expr.operands.back());
     return fmt::format("(or (and {0} {1}) (and (not {0}) (not {1})))", left, right);
   }
+  case Kind::Parameter: return fail(expr, "a test of an input");
   case Kind::Missing:
   case Kind::Number:
   case Kind::Symbol:
   case Kind::String:
-  case Kind::Parameter:
   case Kind::Access:
   case Kind::Add:
   case Kind::Subtract:

@@ -192,6 +192,7 @@ private:
       const auto right = condition(expr.operands.back());
       return fmt::format("(({0} => {1}) and ({1} => {0}))", left, right);
     }
+    case Kind::Parameter: fail({file, expr.range}, "a test of an input"); return "true";
     case Kind::Less:
     case Kind::LessEqual:
     case Kind::Greater:
@@ -200,7 +201,6 @@ private:
     case Kind::Number:
     case Kind::Symbol:
     case Kind::String:
-    case Kind::Parameter:
     case Kind::Access:
     case Kind::Add:
     case Kind::Subtract:

@@ -175,6 +175,18 @@ TEST_CASE("what a tree cannot say is an error with its place") {
         "p:2:28: a tree cannot say this: a precondition\n");
 }
 
+TEST_CASE("a test of an input is an error with its place") {
+  const auto tested = [](const std::string& condition) {
+    return errorsText(emitted("(defskill walk :input ($fast bool) :action (walk))\n"
+                              "(defskill go :input ($fast bool) :body ((if " +
+                              condition + " (walk fast $fast))))\n" +
+                              "(defskill Main :body ((go fast true)))"));
+  };
+  CHECK(tested("true") == "none");
+  CHECK(tested("$fast") == "p:2:45: a tree cannot say this: a test of an input\n");
+  CHECK(tested("(= $fast true)") == "p:2:45: a tree cannot say this: a test of an input\n");
+}
+
 TEST_CASE("a string that a port would read as an entry of the blackboard is an error") {
   const auto said = [](const std::string& text) {
     return errorsText(emitted("(defskill say :input ($s string) :action (say) :success ok)\n"

@@ -211,4 +211,15 @@ TEST_CASE("what RL cannot say is an error at its place") {
   CHECK(emitted.error()[1].place.column == 20);
 }
 
+TEST_CASE("RL has no conditions about inputs") {
+  const MemoryFiles files(std::map<std::string, std::string>{
+      {"p", "(defskill k :input ($fast bool)\n:precondition (p (not $fast)) :action (k $fast))"}});
+  const auto emitted = bridge::rl::emitSkillset(analysis::load(files, "p"), "robot");
+  REQUIRE_FALSE(emitted);
+  REQUIRE(emitted.error().size() == 1);
+  CHECK(emitted.error()[0].message == "RL cannot say this: a test of an input");
+  CHECK(emitted.error()[0].place.line == 2);
+  CHECK(emitted.error()[0].place.column == 23);
+}
+
 } // namespace rl_import

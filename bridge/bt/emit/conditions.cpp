@@ -34,12 +34,12 @@ Element Conditions::another(const syntax::Expr& test, analysis::FileId at) {
     auto given = withResults(another(test.operands.front(), at), false, true);
     return inOrder(false, std::move(given), another(test.operands.back(), at));
   }
+  case Is::Parameter: return fail(test, "a test of an input");
   case Is::Equivalent:
   case Is::Missing:
   case Is::Number:
   case Is::Symbol:
   case Is::String:
-  case Is::Parameter:
   case Is::Access:
   case Is::Add:
   case Is::Subtract:
@@ -76,6 +76,8 @@ Element Conditions::compared(const syntax::Expr& test, const char* sign) {
   const auto& right = test.operands.back();
   if (left.kind == Is::Access || right.kind == Is::Access)
     return fail(test, "the status of a call that is not tested right after the call, by itself");
+  if (left.kind == Is::Parameter || right.kind == Is::Parameter)
+    return fail(test, "a test of an input");
   const bool isEquality = test.kind == Is::Equal || test.kind == Is::NotEqual;
   const auto& variable = isVariable(left) ? left : right;
   const auto& other = isVariable(left) ? right : left;
