@@ -8,6 +8,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+
 using namespace proskill;
 using codegen::Edition;
 using codegen::StateVariableAutomata;
@@ -38,7 +40,40 @@ void everyModelIsWellTyped(const codegen::Options& options) {
     modelOf(test::textOf(test::randomProgram(seed, test::varied(seed))), options);
 }
 
+/// The inputs in a model that are truth values.
+std::vector<std::string> truthsIn(const codegen::Model& model) {
+  std::vector<std::string> names;
+  for (const auto& component : model.fiacre.components)
+    for (const auto& variable : component.variables)
+      if (variable.type.kind == fiacre::TypeKind::Bool && variable.comment.contains("last call"))
+        names.push_back(variable.name);
+  return names;
+}
+
+bool isGiven(const std::string& model, const std::vector<std::string>& inputs,
+             const std::vector<std::string>& values) {
+  return std::ranges::any_of(inputs, [&](const auto& input) {
+    return std::ranges::any_of(
+        values, [&](const auto& value) { return model.contains(input + " := " + value + ";"); });
+  });
+}
+
 } // namespace
+
+TEST_CASE("random programs test truth values that calls pass, literals and their own inputs") {
+  int literals = 0;
+  int passed = 0;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    const auto model =
+        modelOf(test::textOf(test::randomProgram(seed, {.composites = 2, .inputs = 60})), {});
+    const auto inputs = truthsIn(model);
+    const auto text = test::printed(model);
+    literals += isGiven(text, inputs, {"true"}) && isGiven(text, inputs, {"false"}) ? 1 : 0;
+    passed += isGiven(text, inputs, inputs) ? 1 : 0;
+  }
+  CHECK(literals > 20);
+  CHECK(passed > 5);
+}
 
 TEST_CASE("no compact model of a random program is ill-typed or uses a reserved word") {
   everyModelIsWellTyped({});

@@ -53,15 +53,21 @@ private:
     if (each.kind != ExprKind::Parameter) return;
     const auto& inputs = script.skills[skill].node->inputs;
     for (const auto& input : inputs)
-      if (input.name.text == each.name.text && script.variable(input.type.text) != kNobody)
+      if (input.name.text == each.name.text && (isTruth(input) || variableOf(input) != kNobody))
         script.parameters[&each] = {skill, slotOf(input)};
+  }
+
+  static bool isTruth(const syntax::Input& input) { return input.type.text == "bool"; }
+
+  int variableOf(const syntax::Input& input) {
+    return isTruth(input) ? kNobody : script.variable(input.type.text);
   }
 
   int slotOf(const syntax::Input& input) {
     auto& kept = script.skills[skill].inputs;
     const auto found = std::ranges::find(kept, input.name.text, &InputEntry::name);
     if (found != kept.end()) return static_cast<int>(found - kept.begin());
-    kept.push_back({input.name.text, script.variable(input.type.text)});
+    kept.push_back({input.name.text, variableOf(input)});
     return static_cast<int>(kept.size()) - 1;
   }
 

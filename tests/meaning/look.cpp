@@ -24,6 +24,7 @@ bool Look::holds(const Expr& condition, int thread) const {
   switch (condition.kind) {
   case ExprKind::True: return true;
   case ExprKind::False: return false;
+  case ExprKind::Parameter: return given(condition) != 0;
   case ExprKind::And: return std::ranges::all_of(parts, part);
   case ExprKind::Or: return std::ranges::any_of(parts, part);
   case ExprKind::Not: return !part(parts[0]);
@@ -72,8 +73,14 @@ int Look::variableOf(const Expr& expr) const {
 }
 
 std::int64_t Look::valueFor(int variable, const Expr& value) const {
+  if (variable == kNobody) return holds(value) ? 1 : 0;
   if (script.variables[variable]->isNatural()) return number(value);
   return value.kind == ExprKind::Parameter ? given(value) : stateOf(variable, value.name.text);
+}
+
+bool Look::isTruth(const Expr& expr) const {
+  const bool isLiteral = expr.kind == ExprKind::True || expr.kind == ExprKind::False;
+  return isLiteral || (expr.kind == ExprKind::Parameter && variableOf(expr) == kNobody);
 }
 
 bool Look::isEnumeration(const Expr& expr) const {
@@ -84,6 +91,7 @@ bool Look::isEnumeration(const Expr& expr) const {
 bool Look::equal(const Expr& a, const Expr& b, int thread) const {
   if (a.kind == ExprKind::Access || b.kind == ExprKind::Access)
     return wordOf(a, thread) == wordOf(b, thread);
+  if (isTruth(a)) return holds(a) == holds(b);
   if (isEnumeration(a)) return number(a) == valueFor(variableOf(a), b);
   if (isEnumeration(b)) return number(b) == valueFor(variableOf(b), a);
   return number(a) == number(b);

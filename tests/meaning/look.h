@@ -27,6 +27,7 @@ public:
   [[nodiscard]] bool preconditionHolds(int skill) const;
 
 private:
+  [[nodiscard]] bool isTruth(const syntax::Expr& expr) const;
   [[nodiscard]] bool isEnumeration(const syntax::Expr& expr) const;
   [[nodiscard]] std::int64_t given(const syntax::Expr& parameter) const;
   [[nodiscard]] int variableOf(const syntax::Expr& expr) const;

@@ -43,7 +43,7 @@ struct Thread {
 /// An input of a skill that conditions or effects may depend on.
 struct InputEntry {
   std::string_view name; ///< with its `$`
-  int variable = 0;      ///< the state variable whose values it has
+  int variable = 0;      ///< the state variable whose values it has; nobody: a truth value
 };
 
 /// A skill that can run in the program.

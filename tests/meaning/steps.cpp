@@ -40,14 +40,19 @@ void Steps::ofSkill(int skill) {
   if (state.phase == Phase::Running && !script.skills[skill].isComposite()) ofRunning(skill);
 }
 
+/// The least and the greatest value that an input can have.
+std::pair<std::int64_t, std::int64_t> Steps::valuesOf(const InputEntry& input) const {
+  if (input.variable == kNobody) return {0, 1};
+  const auto& type = *script.variables[input.variable];
+  if (!type.isNatural()) return {0, static_cast<std::int64_t>(type.states.size()) - 1};
+  return {type.min ? type.min->number.numerator : 0, type.max->number.numerator};
+}
+
 /// All arguments with which anybody could call it.
 std::vector<std::vector<std::int64_t>> Steps::anyArguments(int skill) const {
   std::vector<std::vector<std::int64_t>> all{{}};
   for (const auto& input : script.skills[skill].inputs) {
-    const auto& type = *script.variables[input.variable];
-    const auto low = type.isNatural() && type.min ? type.min->number.numerator : 0;
-    const auto high = type.isNatural() ? type.max->number.numerator
-                                       : static_cast<std::int64_t>(type.states.size()) - 1;
+    const auto [low, high] = valuesOf(input);
     std::vector<std::vector<std::int64_t>> longer;
     for (const auto& known : all)
       for (auto value = low; value <= high; ++value) {

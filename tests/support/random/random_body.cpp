@@ -133,7 +133,7 @@ Form Bodies::call(std::size_t index, std::size_t caller) {
   for (const auto& [name, type] : skill.inputs) {
     std::string value = phrase.literal(type);
     for (const auto& [given, givenType] : vocabulary.skills[caller].inputs)
-      if (givenType == type && random.chance(40)) value = "$" + given;
+      if (givenType == type && random.chance(size.inputs > 0 ? 75 : 40)) value = "$" + given;
     result.addAll({name, value});
   }
   return result;

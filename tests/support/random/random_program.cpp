@@ -164,9 +164,11 @@ private:
     return form;
   }
 
-  /// a condition in parentheses, even if it is a word: tags may follow
+  /// a condition in parentheses, or an input: tags may follow
   static Form list(Form condition) {
-    return condition.isList() ? condition : Form{"not", Form{"not", condition}};
+    return condition.isList() || condition.word.front() == '$'
+               ? condition
+               : Form{"not", Form{"not", condition}};
   }
 
   static Form action(const SkillWords& skill) {

@@ -70,6 +70,11 @@ VariableWords enumeration(RandomSource& random, std::string name) {
   return variable;
 }
 
+/// Where conditions read inputs, most types are those that can be read.
+std::string basicType(RandomSource& random, const ProgramSize& size) {
+  return size.inputs > 0 && random.chance(85) ? "bool" : random.pick(kTypes);
+}
+
 SkillWords skill(RandomSource& random, std::string name, const Words& words,
                  const ProgramSize& size) {
   SkillWords result;
@@ -83,7 +88,7 @@ SkillWords skill(RandomSource& random, std::string name, const Words& words,
     result.failures[0] = "lost";
   while (random.chance(std::max(20U, size.inputs))) {
     bool known = random.chance(std::max(20U, size.inputs)) && !words.variables.empty();
-    std::string type = known ? random.pick(words.variables).name : random.pick(kTypes);
+    std::string type = known ? random.pick(words.variables).name : basicType(random, size);
     if (result.inputs.size() < 3)
       result.inputs.emplace_back("a" + std::to_string(result.inputs.size()), type);
   }
@@ -227,7 +232,25 @@ Form Phrases::comparisonOfOutcomes() {
   return {equality, skill.name + ".res", random.pick(results)};
 }
 
+/// A condition on truth values that the skill is given, if it is given any.
+std::optional<Form> Phrases::truth() {
+  if (!writtenIn || size.inputs == 0 || !random.chance(size.inputs * 3 / 4)) return std::nullopt;
+  std::vector<std::string> all;
+  for (const auto& [name, type] : writtenIn->inputs)
+    if (type == "bool") all.push_back("$" + name);
+  if (all.empty()) return std::nullopt;
+  const std::string input = random.pick(all);
+  const std::string equality = random.chance(50) ? "=" : "/=";
+  switch (random.below(6)) {
+  case 0: return Form{equality, input, literal("bool")};
+  case 1: return Form{equality, literal("bool"), input};
+  case 2: return Form{equality, input, random.pick(all)};
+  default: return Form(input);
+  }
+}
+
 Form Phrases::comparison() {
+  if (auto condition = truth()) return *condition;
   if (random.chance(3)) return random.chance(50) ? "true" : "false";
   if (random.chance(25)) return comparisonOfOutcomes();
   const auto& variable = random.pick(vocabulary.variables);

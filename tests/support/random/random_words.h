@@ -62,6 +62,7 @@ public:
   void writeIn(const SkillWords* skill) { writtenIn = skill; }
 
 private:
+  [[nodiscard]] std::optional<Form> truth();
   [[nodiscard]] Form comparison();
   [[nodiscard]] Form comparisonOfNaturals(const VariableWords& variable);
   [[nodiscard]] Form comparisonOfOutcomes();
