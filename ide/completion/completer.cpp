@@ -167,6 +167,7 @@ void Completer::skeleton(std::string_view label, std::string_view insert,
 void Completer::conditions() {
   const bool inProperty = place.slot == Slot::Proposition || place.slot == Slot::Temporal;
   variables(false);
+  inputs(kTruthValue);
   if (place.slot == Slot::Temporal && !place.isHead) values(place.subject);
   if (inProperty) forms(WordKind::Observation);
   if (place.slot == Slot::Temporal) forms(WordKind::Temporal);

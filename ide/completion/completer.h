@@ -7,6 +7,9 @@
 
 namespace proskill::ide {
 
+/// The type of inputs that are conditions.
+constexpr std::string_view kTruthValue = "bool";
+
 /// Collects the completions at a place, best first. Only `complete` uses it.
 class Completer {
 public:
@@ -43,6 +46,7 @@ private:
   void test(SymbolId variable);
   void variables(bool numbersOnly);
   void operands();
+  void truthValues();
   void numbers();
   void constants();
   void results(std::string_view skill);

@@ -23,7 +23,7 @@ std::string choice(unsigned number, const syntax::List<syntax::Name>& values) {
 
 std::string_view placeholderOf(std::string_view type) {
   if (type == "float") return "0.0";
-  if (type == "bool") return "true";
+  if (type == kTruthValue) return "true";
   return "0";
 }
 
@@ -126,14 +126,22 @@ void Completer::operands() {
   }
   if (place.isHead) return forms(WordKind::Arithmetic);
   const auto type = typeOf(place.subject);
+  if (place.subject.starts_with('$') && type == kTruthValue) return truthValues();
   values(type);
   const bool beside = !items.empty();
   inputs(type);
+  if (type.empty()) inputs(kTruthValue);
   variables(false);
   if (beside) return;
   constants();
   accesses();
   forms(WordKind::Arithmetic);
+}
+
+/// Completes beside an input that is a truth value.
+void Completer::truthValues() {
+  words(WordKind::Constant);
+  inputs(kTruthValue);
 }
 
 void Completer::numbers() {
@@ -271,7 +279,7 @@ void Completer::argumentValues() {
   for (const auto& input : skill(id).inputs) {
     if (analysis::withoutDollar(input.name).text != place.argument) continue;
     values(input.type.text);
-    if (input.type.text == "bool") words(WordKind::Constant);
+    if (input.type.text == kTruthValue) words(WordKind::Constant);
     if (takesNumbers(input.type.text)) constants();
   }
   parameters();
@@ -290,10 +298,11 @@ void Completer::parameter(SymbolId id) {
   item.detail = signature(view, id);
 }
 
-/// The skill's inputs that conditions and effects may read.
+/// The skill's inputs that conditions and effects may read; a `printf` takes any input.
 /// \param type the state variable whose values they have; empty: any
 void Completer::inputs(std::string_view type) {
-  if (place.isHead || place.definition != "defskill" || owner() == kNoSymbol) return;
+  if (place.isHead || place.slot == Slot::PrintArgument) return;
+  if (place.definition != "defskill" || owner() == kNoSymbol) return;
   for (const auto& input : skill(owner()).inputs) {
     const bool fits = type.empty() ? find(SymbolKind::StateVariable, input.type.text) != kNoSymbol
                                    : input.type.text == type;

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+
 using namespace proskill;
 using test::MarkedProgram;
 
@@ -104,6 +106,25 @@ TEST_CASE("inputs that have the values of a state variable") {
   CHECK(Labels(values.begin(), values.begin() + 4) == behindBattery);
   CHECK(contains(labelsIn(skill + ":body ((if (< ^"), "$n"));
   CHECK_FALSE(contains(labelsIn(skill + ":body ((if (< ^"), "$x"));
+}
+
+TEST_CASE("inputs that are truth values are conditions") {
+  const std::string skill = "(defskill f :input ($a bool $b bool $x float) ";
+  for (const std::string text :
+       {":precondition (p ^", ":invariant (i (:guard ^", ":body ((if ^", ":body ((^ (not ^",
+        ":body ((if (= ^", ":body ((while ^", ":success ok (:postcondition ^"}) {
+    INFO(text);
+    CHECK(contains(labelsIn(skill + text), "$a"));
+    CHECK_FALSE(contains(labelsIn(skill + text), "$x"));
+  }
+  CHECK(labelsIn(skill + ":body ((if (= $a ^") == Labels{"true", "false", "$a", "$b"});
+  CHECK_FALSE(contains(labelsIn(skill + ":body ((if (= battery ^"), "$a"));
+  CHECK_FALSE(contains(labelsIn(skill + ":body ((if (< ^"), "$a"));
+  CHECK_FALSE(contains(labelsIn(skill + ":body ((if (^"), "$a"));
+  CHECK_FALSE(contains(labelsIn("(defproperty p (always ^"), "$a"));
+  const auto printed = labelsIn(skill + ":body ((printf \"%s\" ^");
+  CHECK(std::ranges::count(printed, "$a") == 1);
+  CHECK(std::ranges::count(printed, "$x") == 1);
 }
 
 TEST_CASE("beside a value of a comparison, what it can be compared with comes first") {
