@@ -87,6 +87,8 @@ TEST_CASE("words of the language, by the meaning that they have in their place")
   CHECK(hoverText("(defskill f :body ((do (^ 1) un^til true)))").contains("loop ends"));
   CHECK(hoverText("(defskill f :precondition (t (~^ true)) :action (x))").contains("not hold"));
   CHECK(hoverText("(defskill f :input ($x flo^at) :action (x))").contains("A number"));
+  CHECK(hoverText("(defskill f :input ($x bo^ol) :action (x))").contains("can test it"));
+  CHECK(hoverText("(defskill f :input ($x bool) :body ((if $^x (^ 1))))").contains("input of `f`"));
   CHECK(hoverText("(defproperty p (lea^dsto true false))").contains("Whenever P, then Q"));
   CHECK(hoverText("(defproperty p (always (run^ning f)))").contains("The skill runs"));
 }

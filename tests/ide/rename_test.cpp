@@ -52,6 +52,10 @@ TEST_CASE("every kind of name") {
   checkPlaces(MarkedProgram("(defskill go :input ($[[x]] int) :action (go $[[x^]]))"
                             "(defskill m :body ((go [[x]] 1)))"),
               "$distance");
+  checkPlaces(MarkedProgram("(defskill go :input ($[[soft]] bool) :precondition (p $[[soft]])"
+                            ":body ((if (not $[[so^ft]]) (^ 1)) (^ (= $[[soft]] true))))"
+                            "(defskill m :body ((go [[soft]] true)))"),
+              "gently");
   checkPlaces(MarkedProgram("(defskill m :body ((label [[^again]]) (goto [[again]])))"), "top");
   checkPlaces(MarkedProgram("(defskill m :success [[do^ne]] :body ((success [[done]])))"), "ready");
 }

@@ -50,6 +50,8 @@ TEST_CASE("names are coloured by what they name") {
               ide::kDefinition | ide::kUnused);
   checkTokens("(defskill f :input ($a [[float]]) :action (x $a))", TokenType::Type);
   checkTokens("(defskill f :input ($a float) :action (x [[$a]]))", TokenType::Parameter);
+  checkTokens("(defskill f :input ($a bool) :precondition (p [[$a]]) :action (x))",
+              TokenType::Parameter);
   checkTokens("(defskill f :success [[done]] :action (x))", TokenType::Tag, ide::kDefinition);
   checkTokens("(defconst two 2) (defresource arm :capacity [[two]])", TokenType::Value);
   checkTokens("(defconst two 2) (defskill m :body ((^ [1,[[two]]])))", TokenType::Value);
