@@ -26,17 +26,26 @@ if(PROSKILL_FUZZ)
   target_link_options(proskill_flags INTERFACE LINKER:--wrap=__sanitizer_cov_trace_pc)
 endif()
 
-# proskill_precompiled(NAME HEADERS <header>… DEPENDS target… [OPTIONS flag…]): headers that cost each file that reads
+# proskill_precompiled(NAME [PIC] HEADERS <header>… DEPENDS target… [OPTIONS flag…]): headers that cost each file that reads
 # them up to two seconds, read once for all targets that `proskill_use_precompiled(TARGET NAME)`. The files still
 # include what they use: the preset `debug` builds without.
 function(proskill_precompiled name)
-  cmake_parse_arguments(ARG "" "" "HEADERS;DEPENDS;OPTIONS" ${ARGN})
+  cmake_parse_arguments(ARG "PIC" "" "HEADERS;DEPENDS;OPTIONS" ${ARGN})
   set(source ${CMAKE_CURRENT_BINARY_DIR}/precompiled_${name}.cpp)
   file(CONFIGURE OUTPUT ${source} CONTENT "// A library has a source.\n")
   add_library(proskill_precompiled_${name} STATIC ${source})
   target_link_libraries(proskill_precompiled_${name} PRIVATE ${ARG_DEPENDS} proskill_flags)
   target_compile_options(proskill_precompiled_${name} PRIVATE ${ARG_OPTIONS})
   target_precompile_headers(proskill_precompiled_${name} PRIVATE ${ARG_HEADERS})
+  if(ARG_PIC)
+    proskill_position_independent(proskill_precompiled_${name})
+  endif()
+endfunction()
+
+# proskill_position_independent(TARGET): its objects fit into shared libraries. Functions are inlined as in programs.
+function(proskill_position_independent target)
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
 endfunction()
 
 function(proskill_use_precompiled target name)
@@ -65,10 +74,10 @@ function(proskill_optimise_less target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# proskill_library(NAME [PRECOMPILED name] DEPENDS target…): every *.cpp of the current folder and those
-# below it, as target proskill_NAME.
+# proskill_library(NAME [PIC] [PRECOMPILED name] DEPENDS target…): every *.cpp of the current folder and those
+# below it, as target proskill_NAME. PIC: it becomes part of libproskill.so, too (embed/).
 function(proskill_library name)
-  cmake_parse_arguments(ARG "" "PRECOMPILED" "DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "PIC" "PRECOMPILED" "DEPENDS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   if(NOT sources)
     add_library(proskill_${name} INTERFACE)
@@ -79,6 +88,10 @@ function(proskill_library name)
   target_include_directories(proskill_${name} PUBLIC ${CMAKE_SOURCE_DIR})
   if(NOT ARG_PRECOMPILED)
     set(ARG_PRECOMPILED std)
+  endif()
+  if(ARG_PIC)
+    proskill_position_independent(proskill_${name})
+    string(APPEND ARG_PRECOMPILED _pic)
   endif()
   proskill_use_precompiled(proskill_${name} ${ARG_PRECOMPILED})
 endfunction()
