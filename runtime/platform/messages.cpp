@@ -106,12 +106,16 @@ std::string startMessage(const Executable& executable, const Start& start, Nanos
                {"run", start.run},
                {"skill", executable.model.performed[start.action].skill},
                {"time", static_cast<double>(date) / static_cast<double>(kSecond)},
-               {"arguments", Json::array()}};
-  if (!start.call) return lineOf(message);
-  message["command"] = start.call->command;
-  for (const auto& argument : start.call->arguments)
-    message["arguments"].push_back(valueOf(argument));
+               {"arguments", argumentsOf(start)}};
+  if (start.call) message["command"] = start.call->command;
   return lineOf(message);
+}
+
+Json argumentsOf(const Start& start) {
+  Json list = Json::array();
+  if (!start.call) return list;
+  for (const auto& argument : start.call->arguments) list.push_back(valueOf(argument));
+  return list;
 }
 
 std::string stopMessage(RunNumber run) { return lineOf({{"type", "stop"}, {"run", run}}); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "runtime/platform/json.h"
 #include "runtime/platform/platform.h"
 
 #include <expected>
@@ -20,6 +21,8 @@ inline constexpr int kProtocol = 1;
                                        const std::string& settings);
 [[nodiscard]] std::string startMessage(const Executable& executable, const Start& start,
                                        Nanoseconds date);
+/// The arguments of a started action, as a list. Those that the model does not contain are null.
+[[nodiscard]] Json argumentsOf(const Start& start);
 [[nodiscard]] std::string stopMessage(RunNumber run);
 [[nodiscard]] std::string abandonMessage(RunNumber run);
 [[nodiscard]] std::string endMessage();

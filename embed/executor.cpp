@@ -1,0 +1,147 @@
+#include "embed/executor.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <poll.h>
+
+using namespace proskill;
+using embed::Done;
+using embed::failed;
+using embed::Failure;
+using runtime::Execution;
+using runtime::Progress;
+
+namespace {
+
+Failure notExecutable(const analysis::Program& program, const runtime::NotExecutable& error) {
+  return {PROSKILL_INVALID_PROGRAM, embed::errorAt(program, error.location, error.message)};
+}
+
+} // namespace
+
+std::expected<std::unique_ptr<proskill_executor>, Failure>
+proskill_executor::make(const proskill_program& of, const proskill_options* given) {
+  const proskill_options usual = PROSKILL_OPTIONS;
+  const auto& options = given ? *given : usual;
+  const auto settings = settingsOf(options);
+  if (!settings) return std::unexpected(settings.error());
+  auto executable = runtime::makeExecutable(
+      *of.program, options.main_skill ? options.main_skill : "", options.environment);
+  if (!executable) return std::unexpected(notExecutable(*of.program, executable.error()));
+  return std::unique_ptr<proskill_executor>(
+      new proskill_executor(of.program, std::move(*executable), *settings));
+}
+
+proskill_executor::proskill_executor(std::shared_ptr<const analysis::Program> of,
+                                     std::unique_ptr<const runtime::Executable> made,
+                                     const Settings& with)
+    : program(std::move(of)),
+      executable(std::move(made)),
+      settings(with),
+      clock(with.isReal ? runtime::realClock(with.speed) : runtime::simulatedClock()),
+      platform(std::make_unique<embed::FunctionPlatform>(*executable, *clock, this)),
+      entries(*program, *executable, this) {
+  settings.run.stopRequests = &stopRequests;
+}
+
+Done proskill_executor::notStarted() const {
+  if (hasStarted) return failed(PROSKILL_WRONG_ORDER, "the run has already started");
+  return {};
+}
+
+Done proskill_executor::perform(const char* skill, embed::Functions functions) {
+  if (auto done = notStarted(); !done) return done;
+  const auto& all = executable->model.performed;
+  const auto found = std::ranges::find(all, skill, &codegen::Performed::skill);
+  if (found != all.end()) {
+    platform->perform(static_cast<std::uint32_t>(found - all.begin()), functions);
+    return {};
+  }
+  std::vector<std::string> names;
+  for (const auto& each : all) names.push_back(each.skill);
+  return embed::unknownName("basic skill", skill, names);
+}
+
+Done proskill_executor::observe(proskill_observer observer, void* data) {
+  if (auto done = notStarted(); !done) return done;
+  entries.observe(observer, data);
+  return {};
+}
+
+Done proskill_executor::start() {
+  if (auto done = notStarted(); !done) return done;
+  if (const auto missing = platform->unperformed())
+    return failed(PROSKILL_MISSING_ACTION,
+                  fmt::format("nobody performs the action of `{}`",
+                              executable->model.performed[*missing].skill));
+  execution = std::make_unique<Execution>(*executable, *clock, *platform, entries, settings.run);
+  execution->start();
+  hasStarted = true;
+  return {};
+}
+
+std::expected<embed::FunctionPlatform*, Failure> proskill_executor::started() const {
+  if (!hasStarted) return failed(PROSKILL_WRONG_ORDER, "the run has not started");
+  return platform.get();
+}
+
+Done proskill_executor::proceed() {
+  if (!hasStarted) return failed(PROSKILL_WRONG_ORDER, "the run has not started");
+  if (hasEnded) return failed(PROSKILL_WRONG_ORDER, "the run has ended");
+  platform->wakeUp.acknowledge();
+  if (!doWhatIsDue() && jump()) doWhatIsDue();
+  if (auto trouble = entries.takeTrouble(); !trouble.empty())
+    return failed(PROSKILL_SYSTEM_ERROR, std::move(trouble));
+  return {};
+}
+
+/// Does everything that is possible without waiting, unless the observer throws.
+/// \return false if that was nothing
+bool proskill_executor::doWhatIsDue() {
+  auto progress = execution->proceed();
+  if (progress == Progress::Waits) return false;
+  while (progress == Progress::Moved && !entries.hasTrouble()) progress = execution->proceed();
+  hasEnded = progress == Progress::Ended;
+  return true;
+}
+
+/// Moves simulated time to what comes next. \return false if there is nothing to move to
+bool proskill_executor::jump() {
+  if (settings.isReal || hasEnded || !execution->wakeDate()) return false;
+  clock->wait(execution->wakeDate(), {});
+  return true;
+}
+
+Done proskill_executor::runToEnd() {
+  if (!hasStarted)
+    if (auto done = start(); !done) return done;
+  while (true) {
+    if (auto done = proceed(); !done) return done;
+    if (hasEnded) return {};
+    wait();
+  }
+}
+
+void proskill_executor::wait() {
+  if (settings.isReal) return clock->wait(execution->wakeDate(), execution->descriptors());
+  if (execution->wakeDate()) return;
+  pollfd report{descriptor(), POLLIN, 0};
+  ::poll(&report, 1, -1);
+}
+
+double proskill_executor::timeout() {
+  if (!execution || hasEnded) return 0;
+  const auto date = execution->wakeDate();
+  if (!date) return -1;
+  const auto rest = settings.isReal ? std::max<Nanoseconds>(*date - clock->now(), 0) : 0;
+  return static_cast<double>(rest) / static_cast<double>(runtime::kSecond) / settings.speed;
+}
+
+void proskill_executor::stop() {
+  const int before = errno;
+  ++stopRequests;
+  platform->wakeUp.ring();
+  errno = before;
+}

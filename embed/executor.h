@@ -1,0 +1,97 @@
+#pragma once
+
+#include "embed/entries.h"
+#include "embed/function_platform.h"
+#include "runtime/executor/execution.h"
+
+#include <atomic>
+#include <memory>
+#include <string>
+
+/// What programs in C see as proskill_executor: one run of a program.
+struct proskill_executor {
+public:
+  using Done = proskill::embed::Done;
+  using Failure = proskill::embed::Failure;
+  using Nanoseconds = proskill::runtime::Nanoseconds;
+
+  /// \param options null: the default
+  [[nodiscard]] static std::expected<std::unique_ptr<proskill_executor>, Failure>
+  make(const proskill_program& program, const proskill_options* options);
+  proskill_executor(const proskill_executor&) = delete;
+  proskill_executor& operator=(const proskill_executor&) = delete;
+
+  Done perform(const char* skill, proskill::embed::Functions functions);
+  Done observe(proskill_observer observer, void* data);
+  Done start();
+  /// Does what is due. \pre `exclusively`
+  Done proceed();
+  /// Proceeds until the end. \pre `exclusively`
+  Done runToEnd();
+
+  /// Makes a call that only one thread may make at a time, and none of the functions that the
+  /// executor calls.
+  template <class Call> Done exclusively(Call&& call);
+
+  [[nodiscard]] proskill_phase phase() const;
+  [[nodiscard]] proskill_end end() const;
+  [[nodiscard]] const char* outcome() const;
+  /// Seconds until the run should proceed; negative: when the descriptor is readable.
+  [[nodiscard]] double timeout();
+  [[nodiscard]] Nanoseconds date() const { return execution ? execution->now() : 0; }
+  [[nodiscard]] std::uint64_t steps() const;
+  [[nodiscard]] std::uint64_t faults() const;
+  /// The text lives until the next call.
+  [[nodiscard]] std::expected<const char*, Failure> value(std::string_view name);
+  [[nodiscard]] const char* nameOfValue(std::size_t index) const;
+  [[nodiscard]] int descriptor() const { return platform->wakeUp.descriptor(); }
+
+  // For any thread
+  /// Fails before the start of the run.
+  [[nodiscard]] std::expected<proskill::embed::FunctionPlatform*, Failure> started() const;
+  [[nodiscard]] bool isAsked(proskill::runtime::RunNumber run) const {
+    return platform->isAsked(run);
+  }
+  /// Async-signal-safe.
+  void stop();
+
+private:
+  struct Settings {
+    proskill::runtime::RunOptions run;
+    double speed = 1;
+    bool isReal = true;
+  };
+  proskill_executor(std::shared_ptr<const proskill::analysis::Program> program,
+                    std::unique_ptr<const proskill::runtime::Executable> executable,
+                    const Settings& settings);
+  [[nodiscard]] static std::expected<Settings, Failure> settingsOf(const proskill_options& options);
+  [[nodiscard]] Done notStarted() const;
+  bool doWhatIsDue();
+  bool jump();
+  void wait();
+
+  std::shared_ptr<const proskill::analysis::Program> program;
+  std::unique_ptr<const proskill::runtime::Executable> executable;
+  Settings settings;
+  std::atomic<int> stopRequests = 0;
+  std::atomic<bool> isBusy = false;
+  std::atomic<bool> hasStarted = false;
+  bool hasEnded = false;
+  std::unique_ptr<proskill::runtime::Clock> clock;
+  std::unique_ptr<proskill::embed::FunctionPlatform> platform;
+  proskill::embed::Entries entries;
+  std::unique_ptr<proskill::runtime::Execution> execution; ///< null before the start
+  std::string shown;                                       ///< the value that was asked for last
+};
+
+template <class Call> proskill_executor::Done proskill_executor::exclusively(Call&& call) {
+  if (isBusy.exchange(true))
+    return proskill::embed::failed(
+        PROSKILL_WRONG_ORDER,
+        "the executor is in use: by another thread, or because it has called this function");
+  struct Release {
+    std::atomic<bool>& busy;
+    ~Release() { busy = false; }
+  } const release{isBusy};
+  return call();
+}
