@@ -12,7 +12,6 @@
 #include "cli/terminal/help.h"
 #include "disk/disk.h"
 #include "groot/monitor.h"
-#include "runtime/platform/json.h"
 #include "runtime/platform/ros.h"
 #include "runtime/platform/settings.h"
 
@@ -96,15 +95,12 @@ public:
     const auto platformText = read(arguments.platform);
     const auto scriptText = read(arguments.script);
     const auto kind = runtime::platformKind(platformText.value_or("{}"));
-    if (!kind) return fail(arguments.platform + ": " + kind.error());
+    if (!kind) return fail(arguments.platform + ":" + kind.error());
     if (*kind == "process") return runOnProcess(*platformText);
     if (*kind == "library") return runOnLibrary(*platformText);
     if (*kind == "ros1") return runOnRos(*platformText, runtime::Ros::One);
     if (*kind == "ros2") return runOnRos(*platformText, runtime::Ros::Two);
-    if (*kind == "simulated") return runSimulated(platformText, scriptText);
-    return fail(arguments.platform +
-                ": `kind` must be `simulated`, `process`, `library`, `ros1` or `ros2`, not `" +
-                *kind + "`");
+    return runSimulated(platformText, scriptText);
   }
 
 private:
@@ -129,10 +125,10 @@ private:
     auto settings = defaultSettings(*executable);
     if (platformText)
       if (auto wrong = readPlatform(*platformText, *executable, settings))
-        return fail(arguments.platform + ": " + *wrong);
+        return fail(arguments.platform + ":" + *wrong);
     if (scriptText)
       if (auto wrong = readScript(*scriptText, *executable, settings))
-        return fail(arguments.script + ": " + *wrong);
+        return fail(arguments.script + ":" + *wrong);
     const auto platform = simulatedPlatform(std::move(settings), arguments.seed + 1);
     isSimulation = true;
     return runOn(*platform, clockFactor(arguments.clock));
@@ -142,7 +138,7 @@ private:
     runtime::ProcessSettings settings;
     prepareForProcess(settings);
     if (const auto wrong = readProcessPlatform(text, settings))
-      return fail(arguments.platform + ": " + *wrong);
+      return fail(arguments.platform + ":" + *wrong);
     return runOnProcess(std::move(settings), arguments.platform);
   }
 
@@ -152,15 +148,14 @@ private:
     runtime::LibrarySettings settings;
     prepareForProcess(settings.process);
     if (const auto wrong = readLibraryPlatform(text, *executable, settings))
-      return fail(arguments.platform + ": " + *wrong);
+      return fail(arguments.platform + ":" + *wrong);
     auto& process = settings.process;
     process.name = "the process of the library";
     process.isOurs = true;
     process.command = {"/proc/self/exe", "platform-host", settings.library};
     for (const auto& [skill, function] : settings.functions)
       process.command.push_back(fmt::format("{}={}", skill, function));
-    return runOnProcess(std::move(process),
-                        arguments.platform + ":" + runtime::placeOfMember(text, "library"));
+    return runOnProcess(std::move(process), arguments.platform + ":" + settings.place);
   }
 
   /// Starts the adapter of the Python package, which speaks with ROS.
@@ -171,7 +166,8 @@ private:
       return fail("`--clock` must be real: ROS takes real time");
     const auto library = ros == runtime::Ros::Two ? ddsLibrary() : std::string();
     if (const auto wrong = readRosPlatform(text, ros, program, *executable, settings, library))
-      return failUnusable(*wrong, arguments.platform);
+      return wrong->skill.empty() ? fail(arguments.platform + ":" + wrong->why)
+                                  : failUnusable(*wrong, arguments.platform);
     if (ros == runtime::Ros::Two && library.empty())
       return fail("platforms of kind `ros2` need Fast DDS: build `proskill` with libfastrtps-dev");
     settings.name = "the ROS adapter";

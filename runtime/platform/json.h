@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,14 +18,14 @@ using Json = nlohmann::ordered_json;
 /// An error, as a message for users.
 struct Wrong {
   std::string why;
+  /// The value, the string or the key that is wrong: the object itself, as it was parsed. null: the
+  /// whole file, or unknown.
+  const void* part = nullptr;
+  std::optional<std::size_t> byte{}; ///< where the file is not JSON
 };
 
 /// \return an object
 [[nodiscard]] Json parsedFile(std::string_view text);
-
-/// Line and column of a member's value in the whole object, as `3:14`. \pre it is JSON and has the
-/// member
-[[nodiscard]] std::string placeOfMember(std::string_view text, std::string_view name);
 
 /// Throws unless these are the only members of an object.
 void allowMembers(const Json& value, const std::vector<std::string>& known,
@@ -39,6 +40,7 @@ void allowMembers(const Json& value, const std::vector<std::string>& known,
 [[nodiscard]] Span spanOf(const Json& value, const std::string& of);
 
 /// Throws an error for an unknown name, with a suggestion.
+/// \param name the string of the file itself, so that its place is known
 [[noreturn]] void throwUnknown(const std::string& what, const std::string& name,
                                const std::vector<std::string>& names);
 

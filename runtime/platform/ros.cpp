@@ -1,6 +1,6 @@
 #include "runtime/platform/ros.h"
 
-#include "runtime/platform/json.h"
+#include "runtime/platform/json_place.h"
 #include "runtime/platform/ros_actions.h"
 #include "runtime/platform/ros_sensors.h"
 #include "runtime/platform/settings.h"
@@ -22,32 +22,32 @@ bool isLetter(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c 
 std::string nodeOf(const Json& file) {
   const auto& node = wordAt(file, "node", "the platform");
   if (!std::ranges::all_of(node, isLetter) || std::isdigit(static_cast<unsigned char>(node[0])))
-    throw Wrong{"`node` must be a name of letters, digits and _"};
+    throw Wrong{"`node` must be a name of letters, digits and _", &node};
   return node;
 }
 
 std::string namespaceOf(const Json& file) {
   const auto& name = stringAt(file, "namespace");
   if (!std::ranges::all_of(name, [](char c) { return isLetter(c) || c == '/'; }))
-    throw Wrong{"`namespace` must have names of letters, digits and _, separated by /"};
+    throw Wrong{"`namespace` must have names of letters, digits and _, separated by /", &name};
   return name;
 }
 
 Json domainOf(const Json& file) {
   const auto& domain = file["domain"];
   if (!domain.is_number_integer() || domain < 0 || domain > kDomains)
-    throw Wrong{"`domain` must be a natural number up to " + std::to_string(kDomains)};
+    throw Wrong{"`domain` must be a natural number up to " + std::to_string(kDomains), &domain};
   return domain;
 }
 
 /// The fields of messages: what they mean, the adapter knows.
 void checkFields(const Json& fields, const std::string& of) {
-  if (!fields.is_object()) throw Wrong{of + " must be an object"};
+  if (!fields.is_object()) throw Wrong{of + " must be an object", &fields};
   for (const auto& [name, type] : fields.items()) {
     if (type.is_object())
       checkFields(type, fmt::format("{}.{}", of, name));
     else if (!type.is_string() || type.get_ref<const std::string&>().empty())
-      throw Wrong{fmt::format("{}: the type of `{}` must be a string", of, name)};
+      throw Wrong{fmt::format("{}: the type of `{}` must be a string", of, name), &type};
   }
 }
 
@@ -111,16 +111,16 @@ std::optional<Unusable> readRosPlatform(std::string_view text, Ros ros,
                                         const analysis::Program& program,
                                         const Executable& executable, ProcessSettings& settings,
                                         const std::string& library) {
-  try {
-    const auto file = parsedFile(text);
+  const auto read = [&](const Json& file) {
     auto mapping = RosReader(program, executable, ros).platform(file, library);
     readLife(file, settings);
     mapping["startup"] = static_cast<double>(settings.startup) / static_cast<double>(kSecond);
     settings.settings = mapping.dump();
     const auto* usual = ros == Ros::One ? "/usr/bin/python3" : "python3";
     settings.command = {file.contains("python") ? wordAt(file, "python", "the platform") : usual};
-  } catch (const Wrong& wrong) {
-    return Unusable{wrong.why, ""};
+  };
+  try {
+    if (auto wrong = readFile(text, read)) return Unusable{std::move(*wrong), ""};
   } catch (const WrongSkill& wrong) {
     return Unusable{wrong.why, wrong.skill};
   }

@@ -30,10 +30,11 @@ public:
 
   [[nodiscard]] Json action(const codegen::Performed& performed, const Json& value) const {
     const auto of = "`" + performed.skill + "`";
-    if (!value.is_object()) throw Wrong{of + " must be an object"};
+    if (!value.is_object()) throw Wrong{of + " must be an object", &value};
     if (value.contains("service")) return service(performed, value, of);
     if (value.contains("topic")) return topic(performed, value, of);
-    if (!value.contains("action")) throw Wrong{of + ": `action`, `service` or `topic` is missing"};
+    if (!value.contains("action"))
+      throw Wrong{of + ": `action`, `service` or `topic` is missing", &value};
     allowMembers(value, {"action", "type", "goal", "results"}, of);
     return {{"kind", "action"},
             {"name", wordAt(value, "action", of)},
@@ -48,7 +49,7 @@ private:
   [[nodiscard]] Json service(const Performed& performed, const Json& value,
                              const std::string& of) const {
     allowMembers(value, {"service", "type", "request", "results"}, of);
-    if (!value.contains("results")) throw Wrong{of + ": `results` is missing"};
+    if (!value.contains("results")) throw Wrong{of + ": `results` is missing", &value};
     return {{"kind", "service"},
             {"name", wordAt(value, "service", of)},
             {"type", typeAt(value, of, ros, "srv")},
@@ -64,7 +65,7 @@ private:
             {"type", typeAt(value, of, ros, "msg")},
             {"fields", fields(performed, value, "message")},
             {"result", value.contains("result") ? result(performed, stringAt(value, "result"))
-                                                : onlyResult(performed, "success", of)}};
+                                                : onlyResult(performed, "success", of, value)}};
   }
 
   /// Fields of a message by their paths: literals, and `$name` for an argument of the action.
@@ -74,7 +75,8 @@ private:
     for (const auto& [path, given] : objectAt(value, key)) {
       if (!given.is_primitive() || given.is_null())
         throw Wrong{fmt::format("`{}.{}.{}` must be a number, a string, true or false",
-                                performed.skill, key, path)};
+                                performed.skill, key, path),
+                    &given};
       Json one{{"path", path}};
       if (given.is_string() && given.get_ref<const std::string&>().starts_with('$'))
         setArgument(one, performed, given.get_ref<const std::string&>());
@@ -119,12 +121,12 @@ private:
   }
 
   static std::string onlyResult(const Performed& performed, const std::string& status,
-                                const std::string& of) {
+                                const std::string& of, const Json& value) {
     std::vector<std::string> names;
     for (const auto& each : performed.results)
       if (each.status == status) names.push_back(resultName(each));
     if (names.size() != 1)
-      throw Wrong{of + ": which " + status + " it is must be said: " + joined(names)};
+      throw Wrong{of + ": which " + status + " it is must be said: " + joined(names), &value};
     return names.front();
   }
 
@@ -140,12 +142,12 @@ private:
       all[state] = resultCases(performed, given, of);
     }
     if (!all.contains("succeeded"))
-      all["succeeded"] = Json::array({{{"result", onlyResult(performed, "success", of)}}});
+      all["succeeded"] = Json::array({{{"result", onlyResult(performed, "success", of, value)}}});
     const auto failures =
         std::ranges::count(performed.results, "failure", &Performed::Result::status);
     for (const char* state : {"aborted", "rejected"})
       if (!all.contains(state) && failures == 1)
-        all[state] = Json::array({{{"result", onlyResult(performed, "failure", of)}}});
+        all[state] = Json::array({{{"result", onlyResult(performed, "failure", of, value)}}});
     return all;
   }
 
@@ -153,18 +155,18 @@ private:
   [[nodiscard]] Json resultCases(const Performed& performed, const Json& value,
                                  const std::string& of) const {
     if (value.is_string())
-      return Json::array({{{"result", result(performed, value.get<std::string>())}}});
+      return Json::array({{{"result", result(performed, value.get_ref<const std::string&>())}}});
     Json all = Json::array();
     for (const auto& each : listOf(value, of + ".results")) {
       allowMembers(each, {"field", "below", "above", "equals", "result"}, "a result of " + of);
       auto made = conditionOf(each, of);
       if (!made.empty()) made["field"] = wordAt(each, "field", of);
       if (made.empty() && each.contains("field"))
-        throw Wrong{of + ": a `field` without `below`, `above` or `equals`"};
+        throw Wrong{of + ": a `field` without `below`, `above` or `equals`", &each};
       made["result"] = result(performed, wordAt(each, "result", of));
       all.push_back(std::move(made));
     }
-    if (all.empty()) throw Wrong{of + ": a list of results must not be empty"};
+    if (all.empty()) throw Wrong{of + ": a list of results must not be empty", &value};
     return all;
   }
 

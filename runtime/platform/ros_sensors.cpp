@@ -32,14 +32,14 @@ private:
     if (value.contains("hysteresis")) {
       const auto& width = value["hysteresis"];
       if (!width.is_number() || width.get<double>() < 0)
-        throw Wrong{of + ": `hysteresis` must be a number that is not negative"};
+        throw Wrong{of + ": `hysteresis` must be a number that is not negative", &width};
       made["hysteresis"] = width;
     }
     if (value.contains("timeout")) made["timeout"] = inSeconds(value["timeout"], name + ".timeout");
     if (value.contains("timeout") && made["timeout"] == 0.0)
-      throw Wrong{of + ": `timeout` must be more than 0 s"};
+      throw Wrong{of + ": `timeout` must be more than 0 s", &value["timeout"]};
     if (value.contains("timeout") != value.contains("silent"))
-      throw Wrong{of + ": `timeout` and `silent` belong together"};
+      throw Wrong{of + ": `timeout` and `silent` belong together", &value};
     return made;
   }
 
@@ -49,28 +49,30 @@ private:
                  of);
     const auto* definition = program.stateVariables.find(name);
     if (!definition) throwUnknown("state variable", name, variableNames());
-    if (definition->node().isNatural()) throw Wrong{of + " is a number; only values can be mapped"};
+    if (definition->node().isNatural())
+      throw Wrong{of + " is a number; only values can be mapped", &name};
     auto made = sensor(name, value);
     if (value.contains("silent"))
       made["silent"] = eventThatSets(*definition, stringAt(value, "silent"));
     made["cases"] = Json::array();
-    if (!value.contains("values")) throw Wrong{of + ": `values` is missing"};
+    if (!value.contains("values")) throw Wrong{of + ": `values` is missing", &value};
     for (const auto& each : listOf(value["values"], name + ".values")) {
       allowMembers(each, {"value", "below", "above", "equals"}, "a value of " + of);
       auto one = conditionOf(each, of);
       one["event"] = eventThatSets(*definition, wordAt(each, "value", of));
       made["cases"].push_back(std::move(one));
     }
-    rejectUnreachable(made["cases"], of);
+    rejectUnreachable(made["cases"], value["values"], of);
     return made;
   }
 
   /// The first case without a condition is always taken.
-  static void rejectUnreachable(const Json& cases, const std::string& of) {
-    if (cases.empty()) throw Wrong{of + ": `values` must not be empty"};
+  static void rejectUnreachable(const Json& cases, const Json& values, const std::string& of) {
+    if (cases.empty()) throw Wrong{of + ": `values` must not be empty", &values};
     for (std::size_t i = 0; i + 1 < cases.size(); ++i)
       if (cases[i].size() == 1)
-        throw Wrong{of + ": the values after the one without a condition are never reached"};
+        throw Wrong{of + ": the values after the one without a condition are never reached",
+                    &values[i + 1]};
   }
 
   [[nodiscard]] Json event(const std::string& name, const Json& value) const {
@@ -79,7 +81,7 @@ private:
     requireEvent(name);
     auto made = sensor(name, value);
     auto condition = conditionOf(value, of);
-    if (condition.empty()) throw Wrong{of + ": `below`, `above` or `equals` is missing"};
+    if (condition.empty()) throw Wrong{of + ": `below`, `above` or `equals` is missing", &value};
     condition["event"] = name;
     made["cases"] = Json::array({std::move(condition)});
     return made;
@@ -107,7 +109,8 @@ private:
         return std::string(event.name());
     }
     throw Wrong{"no event sets `" + name + "` to `" + value + "`: add (defevent " + name + "_" +
-                value + " :effects (" + name + " " + value + "))"};
+                    value + " :effects (" + name + " " + value + "))",
+                &value};
   }
 
   [[nodiscard]] std::vector<std::string> variableNames() const {

@@ -1,6 +1,6 @@
 #include "runtime/platform/settings.h"
 
-#include "runtime/platform/json.h"
+#include "runtime/platform/json_place.h"
 #include "runtime/platform/messages.h"
 
 #include <algorithm>
@@ -81,10 +81,11 @@ private:
     unsigned sum = 0;
     for (const auto& [result, weight] : objectAt(value, "results")) {
       if (!weight.is_number_unsigned() || weight.get<std::uint64_t>() > 1'000'000)
-        throw Wrong{"the weight of `" + result + "` must be a natural number up to a million"};
+        throw Wrong{"the weight of `" + result + "` must be a natural number up to a million",
+                    &weight};
       sum += action.weights[resultNamed(index, result)] = weight.get<unsigned>();
     }
-    if (sum == 0) throw Wrong{"no result of `" + name + "` has a weight"};
+    if (sum == 0) throw Wrong{"no result of `" + name + "` has a weight", &value["results"]};
   }
 
   void every(std::uint32_t index, const std::string& name, const Json& value) {
@@ -94,7 +95,7 @@ private:
     }
     settings.signals[index] = spanOf(value, name);
     if (settings.signals[index]->first == 0)
-      throw Wrong{"`" + name + "` may come again at once: let some time pass"};
+      throw Wrong{"`" + name + "` may come again at once: let some time pass", &value};
   }
 
   [[nodiscard]] SimulationSettings::Ending endingOf(const std::string& name,
@@ -113,8 +114,8 @@ private:
     const bool interrupts = value.contains("interrupt");
     const std::string key = interrupts ? "interrupt" : "event";
     if (!value.contains("at") || !value.contains(key) || !value[key].is_string())
-      throw Wrong{"a signal must have `at` and either `event` or `interrupt`"};
-    return {secondsOf(value["at"], "at"), signal(value[key].get<std::string>(), interrupts)};
+      throw Wrong{"a signal must have `at` and either `event` or `interrupt`", &value};
+    return {secondsOf(value["at"], "at"), signal(stringAt(value, key), interrupts)};
   }
 
   const Executable& executable;
@@ -126,11 +127,11 @@ void processSettings(const Json& file, ProcessSettings& settings) {
                "the platform");
   if (!file.contains("command")) throw Wrong{"`command` is missing: the program and its arguments"};
   for (const auto& word : listOf(file["command"], "command")) {
-    if (!word.is_string()) throw Wrong{"`command` must be a list of strings"};
+    if (!word.is_string()) throw Wrong{"`command` must be a list of strings", &word};
     settings.command.push_back(word.get<std::string>());
   }
   if (settings.command.empty() || settings.command.front().empty())
-    throw Wrong{"`command` must begin with a program"};
+    throw Wrong{"`command` must begin with a program", &file["command"]};
   readLife(file, settings);
 }
 
@@ -140,14 +141,15 @@ void librarySettings(const Json& file, const Executable& executable, LibrarySett
                "the platform");
   if (!file.contains("library")) throw Wrong{"`library` is missing: the file of a shared library"};
   settings.library = stringAt(file, "library");
-  if (settings.library.empty()) throw Wrong{"`library` must be the file of a shared library"};
+  if (settings.library.empty())
+    throw Wrong{"`library` must be the file of a shared library", &file["library"]};
   std::vector<std::string> skills;
   for (const auto& performed : executable.model.performed) skills.push_back(performed.skill);
   for (const auto& [skill, function] : objectAt(file, "functions")) {
     if (std::ranges::find(skills, skill) == skills.end())
       throwUnknown("basic skill", skill, skills);
     if (!function.is_string() || function.get_ref<const std::string&>().empty())
-      throw Wrong{"the function of `" + skill + "` must be a name"};
+      throw Wrong{"the function of `" + skill + "` must be a name", &function};
     settings.functions[skill] = function.get<std::string>();
   }
   readLife(file, settings.process);
@@ -157,53 +159,36 @@ void librarySettings(const Json& file, const Executable& executable, LibrarySett
 
 void readLife(const Json& file, ProcessSettings& settings) {
   if (file.contains("startup")) settings.startup = secondsOf(file["startup"], "startup");
-  if (settings.startup == 0) throw Wrong{"`startup` must be more than 0 s"};
+  if (settings.startup == 0) throw Wrong{"`startup` must be more than 0 s", &file["startup"]};
   if (file.contains("restart_delay"))
     settings.restartDelay = secondsOf(file["restart_delay"], "restart_delay");
   if (!file.contains("restarts")) return;
   const auto& restarts = file["restarts"];
   if (!restarts.is_number_unsigned() || restarts.get<std::uint64_t>() > 1'000'000)
-    throw Wrong{"`restarts` must be a natural number up to a million"};
+    throw Wrong{"`restarts` must be a natural number up to a million", &restarts};
   settings.restarts = restarts.get<unsigned>();
 }
 
 std::optional<std::string> readPlatform(std::string_view text, const Executable& executable,
                                         SimulationSettings& settings) {
-  try {
-    Reader(executable, settings).platform(parsedFile(text));
-  } catch (const Wrong& wrong) {
-    return wrong.why;
-  }
-  return std::nullopt;
+  return readFile(text, [&](const Json& file) { Reader(executable, settings).platform(file); });
 }
 
 std::optional<std::string> readScript(std::string_view text, const Executable& executable,
                                       SimulationSettings& settings) {
-  try {
-    Reader(executable, settings).script(parsedFile(text));
-  } catch (const Wrong& wrong) {
-    return wrong.why;
-  }
-  return std::nullopt;
+  return readFile(text, [&](const Json& file) { Reader(executable, settings).script(file); });
 }
 
 std::optional<std::string> readProcessPlatform(std::string_view text, ProcessSettings& settings) {
-  try {
-    processSettings(parsedFile(text), settings);
-  } catch (const Wrong& wrong) {
-    return wrong.why;
-  }
-  return std::nullopt;
+  return readFile(text, [&](const Json& file) { processSettings(file, settings); });
 }
 
 std::optional<std::string> readLibraryPlatform(std::string_view text, const Executable& executable,
                                                LibrarySettings& settings) {
-  try {
-    librarySettings(parsedFile(text), executable, settings);
-  } catch (const Wrong& wrong) {
-    return wrong.why;
-  }
-  return std::nullopt;
+  return readFile(text, [&](const Json& file) {
+    librarySettings(file, executable, settings);
+    settings.place = placeOfPart(text, file, &file["library"]);
+  });
 }
 
 bool speaksForEnvironment(std::string_view text) {
@@ -213,13 +198,19 @@ bool speaksForEnvironment(std::string_view text) {
 }
 
 std::expected<std::string, std::string> platformKind(std::string_view text) {
-  try {
-    const auto value = parsedFile(text);
-    if (!value.contains("kind")) return "simulated";
-    return stringAt(value, "kind");
-  } catch (const Wrong& wrong) {
-    return std::unexpected(wrong.why);
-  }
+  std::string kind = "simulated";
+  const std::vector<std::string> known{"simulated", "process", "library", "ros1", "ros2"};
+  auto wrong = readFile(text, [&](const Json& file) {
+    if (!file.contains("kind")) return;
+    const auto& named = stringAt(file, "kind");
+    if (std::ranges::find(known, named) == known.end())
+      throw Wrong{"`kind` must be `simulated`, `process`, `library`, `ros1` or `ros2`, not `" +
+                      named + "`",
+                  &named};
+    kind = named;
+  });
+  if (wrong) return std::unexpected(std::move(*wrong));
+  return kind;
 }
 
 } // namespace proskill::runtime

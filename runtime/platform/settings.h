@@ -10,15 +10,16 @@
 #include <string>
 #include <string_view>
 
-/// The files of `--platform` and `--script`, both JSON.
+/// The files of `--platform` and `--script`, both JSON. Errors have the form `3:14: MESSAGE`, with
+/// line and column.
 namespace proskill::runtime {
 
 /// Reads the file of a simulated platform into the settings.
-/// \return an error message
+/// \return an error
 [[nodiscard]] std::optional<std::string>
 readPlatform(std::string_view text, const Executable& executable, SimulationSettings& settings);
 /// Reads the file of a platform of kind `process` into the settings.
-/// \return an error message
+/// \return an error
 [[nodiscard]] std::optional<std::string> readProcessPlatform(std::string_view text,
                                                              ProcessSettings& settings);
 /// Reads what all kinds of processes have: `startup`, `restarts`, `restart_delay`. Throws `Wrong`.
@@ -29,18 +30,19 @@ struct LibrarySettings {
   std::map<std::string, std::string> functions; ///< by skill: functions whose names differ from the
                                                 ///< skill's
   ProcessSettings process;                      ///< without its command
+  std::string place;                            ///< of the library in the file, as `3:14`
 };
 [[nodiscard]] std::optional<std::string>
 readLibraryPlatform(std::string_view text, const Executable& executable, LibrarySettings& settings);
 /// Reads a script into the settings.
-/// \return an error message
+/// \return an error
 [[nodiscard]] std::optional<std::string>
 readScript(std::string_view text, const Executable& executable, SimulationSettings& settings);
 
 /// Whether the file says when events come; the program's environment is then not executed.
 [[nodiscard]] bool speaksForEnvironment(std::string_view text);
 
-/// The kind of a platform file; `simulated` if it names none. The error has a message and a place.
+/// The kind of a platform file; `simulated` if it names none.
 [[nodiscard]] std::expected<std::string, std::string> platformKind(std::string_view text);
 
 } // namespace proskill::runtime

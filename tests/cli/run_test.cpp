@@ -95,7 +95,7 @@ TEST_CASE("run says what is wrong with a script or a platform") {
        "`charge.duration` ends before it begins");
   says(wrong("--platform", R"({"kind":"magic"})"),
        "`kind` must be `simulated`, `process`, `library`, `ros1` or `ros2`, not `magic`");
-  says(wrong("--platform", "{\n  \"kind\":"), "it is not JSON at line 2, column");
+  says(wrong("--platform", "{\n  \"kind\":"), ":2:10: it is not JSON");
   says(wrong("--platform", R"({"action":{}})"), "did you mean `actions`?");
 }
 

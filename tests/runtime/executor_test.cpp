@@ -346,5 +346,5 @@ TEST_CASE("a script about an action that the program does not have is refused") 
   auto settings = defaultSettings(*executable);
   for (const auto* runs : {"[]", R"([{"after":1}])"})
     CHECK(readScript(std::string(R"({"actions":{"flie":)") + runs + "}}", *executable, settings) ==
-          "there is no basic skill `flie`");
+          "1:13: there is no basic skill `flie`");
 }
