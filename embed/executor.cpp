@@ -135,8 +135,10 @@ double proskill_executor::timeout() {
   if (!execution || hasEnded) return 0;
   const auto date = execution->wakeDate();
   if (!date) return -1;
-  const auto rest = settings.isReal ? std::max<Nanoseconds>(*date - clock->now(), 0) : 0;
-  return static_cast<double>(rest) / static_cast<double>(runtime::kSecond) / settings.speed;
+  if (!settings.isReal) return 0;
+  constexpr double kDay = 24.0 * 3600; // fits poll's milliseconds
+  const auto rest = static_cast<double>(std::max<Nanoseconds>(*date - clock->now(), 0));
+  return std::min(kDay, rest / static_cast<double>(runtime::kSecond) / settings.speed);
 }
 
 void proskill_executor::stop() {

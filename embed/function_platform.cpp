@@ -108,6 +108,7 @@ Done FunctionPlatform::setResult(Report& report, const char* result) const {
 
 /// \pre the mutex is locked
 void FunctionPlatform::plan(Report report, Nanoseconds delay) {
+  if (hasClosed) return;
   Nanoseconds date = 0;
   if (delay > 0) date = (clock.isReal() ? clock.now() : seen.load()) + delay;
   planned.emplace(date, std::move(report));
@@ -169,6 +170,11 @@ bool FunctionPlatform::poll(Nanoseconds date, Report& report) {
 bool FunctionPlatform::mayReport() const {
   const std::lock_guard lock(mutex);
   return clock.isReal() || std::ranges::any_of(runs, &Run::isRunning);
+}
+
+void FunctionPlatform::close() {
+  const std::lock_guard lock(mutex);
+  hasClosed = true;
 }
 
 void FunctionPlatform::addDescriptors(std::vector<int>& all) const {

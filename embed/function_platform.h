@@ -50,6 +50,7 @@ public:
   [[nodiscard]] std::optional<runtime::Nanoseconds> next() const override;
   bool poll(runtime::Nanoseconds date, runtime::Report& report) override;
   [[nodiscard]] bool mayReport() const override;
+  void close() override;
   void addDescriptors(std::vector<int>& all) const override;
 
 private:
@@ -75,6 +76,7 @@ private:
   mutable std::mutex mutex;                   ///< guards what follows
   std::vector<Run> runs;                      ///< by action: the latest one
   runtime::RunNumber lastRun = 0;
+  bool hasClosed = false; ///< nobody hears of anything any more
   std::multimap<runtime::Nanoseconds, runtime::Report> planned; ///< at 0: at once
 };
 

@@ -144,7 +144,8 @@ proskill_error proskill_executor_proceed(proskill_executor* executor);
    timeout. Do not read or close it. */
 int proskill_executor_descriptor(const proskill_executor* executor);
 
-/* Seconds until the run should proceed; negative: when the descriptor is readable. */
+/* Seconds until the run should proceed, at most a day; negative: when the descriptor is readable.
+ */
 double proskill_executor_timeout(proskill_executor* executor);
 
 /* Runs until the end: starts the run unless it has started, and proceeds whenever it should. */

@@ -116,6 +116,17 @@ TEST_CASE("an event loop proceeds in real time, and waits for what threads repor
   CHECK(run.value("sky") == "Stormy");
 }
 
+TEST_CASE("a timeout fits the milliseconds of poll") {
+  auto options = Embedded::simulated();
+  options.clock = PROSKILL_REAL_TIME;
+  options.until = 1e9;
+  Embedded run(kWaits, options);
+  CHECK(proskill_executor_timeout(run.executor) == 0);
+  REQUIRE(proskill_executor_start(run.executor) == PROSKILL_OK);
+  REQUIRE(proskill_executor_proceed(run.executor) == PROSKILL_OK);
+  CHECK(proskill_executor_timeout(run.executor) == 24 * 3600);
+}
+
 TEST_CASE("a thread ends an action, in real and in simulated time") {
   for (const auto clock : {PROSKILL_REAL_TIME, PROSKILL_SIMULATED_TIME}) {
     auto options = Embedded::simulated();
