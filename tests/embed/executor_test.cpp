@@ -3,9 +3,11 @@
 #include <catch2/catch.hpp>
 
 #include <atomic>
+#include <memory>
 #include <poll.h>
 #include <stdexcept>
 #include <thread>
+#include <vector>
 
 using namespace proskill;
 using Catch::Contains;
@@ -316,4 +318,46 @@ TEST_CASE("a second end of an action is nothing") {
   CHECK(proskill_executor_finish(run.executor, 1, "there") == PROSKILL_OK);
   CHECK(outcome(run) == "success");
   CHECK(proskill_executor_faults(run.executor) == 0);
+}
+
+TEST_CASE("what many threads report at once arrives, and the run ends when one of them says so") {
+  auto options = Embedded::simulated();
+  options.clock = PROSKILL_REAL_TIME;
+  Embedded run(kProgram, options);
+  REQUIRE(run.performBy("fly", never) == PROSKILL_OK);
+  REQUIRE(proskill_executor_start(run.executor) == PROSKILL_OK);
+  REQUIRE(proskill_executor_proceed(run.executor) == PROSKILL_OK); // run 1 has begun
+  constexpr int kThreads = 4;
+  constexpr int kNotes = 100;
+  std::atomic<int> left = kThreads;
+  std::vector<std::thread> threads;
+  for (int i = 0; i < kThreads; ++i)
+    threads.emplace_back([&] {
+      for (int k = 0; k < kNotes; ++k) proskill_executor_log(run.executor, "here");
+      if (--left == 0) proskill_executor_finish(run.executor, 1, "there");
+    });
+  REQUIRE(proskill_executor_run(run.executor) == PROSKILL_OK);
+  for (auto& thread : threads) thread.join();
+  CHECK(outcome(run) == "success");
+  int heard = 0;
+  for (auto at = run.text().find(": here\n"); at != std::string::npos;
+       at = run.text().find(": here\n", at + 1))
+    ++heard;
+  CHECK(heard == kThreads * kNotes);
+}
+
+TEST_CASE("several executors run at the same time, each in its thread") {
+  std::vector<std::unique_ptr<Embedded>> runs;
+  for (int i = 0; i < 4; ++i) {
+    runs.push_back(std::make_unique<Embedded>(kProgram));
+    runs.back()->perform("fly", {1.0 + i, "there"});
+  }
+  std::vector<std::thread> threads;
+  for (const auto& run : runs)
+    threads.emplace_back([executor = run->executor] { proskill_executor_run(executor); });
+  for (auto& thread : threads) thread.join();
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    CHECK(outcome(*runs[i]) == "success");
+    CHECK(proskill_executor_time(runs[i]->executor) == 1.0 + static_cast<double>(i));
+  }
 }
