@@ -151,7 +151,7 @@ private:
                      namedType(context.names.type(variable.name())),
                      initialValue(context, variable.node()), ""});
     for (const auto& variable : context.program.stateVariables.all)
-      if (context.alarmed.contains(variable.name()))
+      if (context.isExpanded() && context.alarmed.contains(variable.name()))
         all.push_back({context.names.error(variable.name()), boolType(), boolean(false),
                        "a forbidden move was made"});
     for (const auto& resource : context.program.resources.all)

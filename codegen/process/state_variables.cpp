@@ -17,16 +17,17 @@ using Variable = analysis::Definition<syntax::StateVariable>;
 void addExact(Context& context, const Variable& variable, const Actor& actor,
               fiacre::Process& process) {
   const auto place = process.origin;
-  if (!context.alarmed.contains(variable.name())) {
+  const bool isAlarmed = context.alarmed.contains(variable.name());
+  if (!isAlarmed || !context.isExpanded()) {
     process.states = {{"legal", place}, {"error", place}};
-    process.comment += "\nThe program makes no move that it forbids.";
+    process.comment += isAlarmed ? "\nTags say where a move is forbidden."
+                                 : "\nThe program makes no move that it forbids.";
     return;
   }
   const auto words = context.origins.of(actor, variable->name.range, "has made a forbidden move");
-  std::vector<Statement> alarm{atOnce(), at(words, on(name(context.names.error(variable.name()))))};
-  if (context.isExpanded()) alarm.push_back(tag(context.names.tag({variable.name(), "forbidden"})));
-  alarm.push_back(to("error"));
-  addState(process, "legal", place, sequence(std::move(alarm)));
+  addState(process, "legal", place,
+           sequence({atOnce(), at(words, on(name(context.names.error(variable.name())))),
+                     tag(context.names.tag({variable.name(), "forbidden"})), to("error")}));
   process.states.push_back({"error", place});
 }
 

@@ -75,9 +75,10 @@ Assignment naturalAssignment(Context& context, const syntax::Effect& effect,
           .value = conditional(below, number(low), conditional(above, number(high), value.expr()))};
 }
 
-/// In the compact edition, a tag in the same transition. The expanded edition has no test: Fiacre's
-/// compiler makes a separate transition of a tag after a test. That transition would have a clock
-/// of its own, which a transition with a time must not have.
+/// In the compact edition, a tag in the same transition, and nothing else: a step of an automaton
+/// that follows would be a step that the program does not take. The expanded edition has no test:
+/// Fiacre's compiler makes a separate transition of a tag after a test. That transition would have
+/// a clock of its own, which a transition with a time must not have.
 Statement alarm(Context& context, const Actor& actor, const Assignment& assignment) {
   if (isFalse(assignment.forbidden)) return sequence({});
   const auto variable = assignment.effect->variable.text;
@@ -88,13 +89,11 @@ Statement alarm(Context& context, const Actor& actor, const Assignment& assignme
   context.alarms.emplace(place, Alarm::ForbiddenMove);
   const bool isNatural = context.stateVariable(variable).isNatural();
   (isNatural ? triesValue : triesMove)(context, place, *assignment.effect);
+  if (!context.isExpanded())
+    return ifThen(assignment.forbidden, at(place, tag(context.names.tag({variable, "forbidden"}))));
   const auto error = name(context.names.error(variable));
-  if (context.isExpanded())
-    return at(context.origins.of(actor, assignment.effect->range),
-              assign(error, disjunction({error, assignment.forbidden})));
-  return ifThen(assignment.forbidden,
-                sequence({at(place, tag(context.names.tag({variable, "forbidden"}))),
-                          assign(error, boolean(true))}));
+  return at(context.origins.of(actor, assignment.effect->range),
+            assign(error, disjunction({error, assignment.forbidden})));
 }
 
 /// Whether an assignment reads what an earlier one has changed.

@@ -23,8 +23,7 @@ TEST_CASE("a move is tested where some move to the value is forbidden, and nowhe
   CHECK(eventState(kBattery, "to_critical") == R"(from start_
     to_critical;
     if (battery = Good) then
-        #battery_forbidden;
-        battery_error := true
+        #battery_forbidden
     end;
     battery := Critical;
     to start_
@@ -36,15 +35,23 @@ TEST_CASE("a move is tested where some move to the value is forbidden, and nowhe
 )");
 }
 
-TEST_CASE("the exact automaton goes to error when the alarm is raised") {
-  CHECK(test::printedProcess(test::modelOf(kBattery), "sv_battery_automata") ==
+TEST_CASE("in the expanded edition the exact automaton goes to error when the alarm is raised") {
+  const auto model = test::modelOf(kBattery, {.edition = codegen::Edition::Expanded});
+  CHECK(test::printedProcess(model, "sv_battery_automata") ==
         R"(process sv_battery_automata (&battery_error: bool) is
 states legal, error
 from legal
     wait [0,0];
     on battery_error;
+    #battery_forbidden;
     to error
 )");
+}
+
+TEST_CASE("in the compact edition no step follows a forbidden move") {
+  const auto model = test::modelOf(kBattery);
+  CHECK(test::processOf(model, "sv_battery_automata").transitions.empty());
+  CHECK_THAT(test::printed(model), !Contains("battery_error"));
 }
 
 TEST_CASE("a variable to which nothing is forbidden has no alarm") {
@@ -103,8 +110,7 @@ TEST_CASE("a natural that may leave its bounds raises the alarm and stays at the
                    "up") == R"(from start_
     up;
     if (level > 2) then
-        #level_forbidden;
-        level_error := true
+        #level_forbidden
     end;
     level := ((level > 2) ? 3 : (level + 1));
     to start_

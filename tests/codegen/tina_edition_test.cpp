@@ -119,13 +119,14 @@ const std::string kNumbers = R"(
 } // namespace
 
 TEST_CASE("for Tina no process is without a `from`, and properties look at the right ones") {
-  const auto compact = test::modelOf(kNumbers);
+  const auto expanded = test::modelOf(kNumbers, {.edition = codegen::Edition::Expanded});
   const auto model = forTina(kNumbers);
   for (const auto& process : model.fiacre.processes) CHECK_FALSE(process.transitions.empty());
-  CHECK(model.fiacre.processes.size() ==
-        static_cast<std::size_t>(std::ranges::count_if(
-            compact.fiacre.processes, [](const auto& each) { return !each.transitions.empty(); })));
-  CHECK(model.fiacre.processes.size() < compact.fiacre.processes.size());
+  CHECK(model.fiacre.processes.size() == static_cast<std::size_t>(std::ranges::count_if(
+                                             expanded.fiacre.processes, [](const auto& each) {
+                                               return !each.transitions.empty();
+                                             })));
+  CHECK(model.fiacre.processes.size() < expanded.fiacre.processes.size());
   CHECK(fiacre::check(model.fiacre).empty());
 }
 

@@ -35,3 +35,8 @@ TEST_CASE("both meanings let an action without a time limit last for ever among 
             "(defproperty r (ltl (<> (ended m)) :fair nil))"
             "(defproperty s (infinitelyoften (ended m) :fair nil))");
 }
+
+TEST_CASE("both meanings take no step of their own after a forbidden move") {
+  agreeOn("(defsv v :states (Good Low) :init Good :transitions ()) (defevent e :effects (v Low))"
+          "(defproperty p (ltl (F (not (occurs e)))))");
+}

@@ -93,8 +93,8 @@ private:
     return zones.bytes() + states.bytes() + timing.bytes() + graph.bytes() + lists.bytes();
   }
   [[nodiscard]] std::uint64_t growth() const {
-    return zones.growth() + states.growth() + timing.growth() + graph.growth() +
-           lists.growth() + growthOf(signatureOf) + growthOf(headOf);
+    return zones.growth() + states.growth() + timing.growth() + graph.growth() + lists.growth() +
+           growthOf(signatureOf) + growthOf(headOf);
   }
   [[nodiscard]] Progress progress() const {
     return {graph.size(), states.size(), graph.size() - next, bytes(), limits.seconds()};
