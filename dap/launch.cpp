@@ -90,8 +90,8 @@ Source fromFile(const LaunchArguments& arguments, const analysis::FileSystem& di
   if (!text)
     return std::unexpected(
         fmt::format("cannot read `{}`: {}", arguments.trace.string(), text.error()));
-  auto json = OrderedJson::parse(*text, nullptr, false);
-  if (json.is_discarded()) json = OrderedJson::parse(report::completed(*text), nullptr, false);
+  auto json = parsedJson(*text);
+  if (json.is_discarded()) json = parsedJson(report::completed(*text));
   if (!json.is_object())
     return std::unexpected(fmt::format("`{}` is not valid JSON", arguments.trace.string()));
   if (json.contains("properties")) return sourceIn(json, arguments.property, arguments.directory);

@@ -98,7 +98,7 @@ std::optional<HttpResponse> callJson(std::string_view method, const HttpRequest&
                                      PanelData& data, EventFeed& news, const Reply& reply) {
   if (!request.header("content-type").starts_with("application/json"))
     return refuse(400, "requests are JSON");
-  const auto params = OrderedJson::parse(request.body, nullptr, false);
+  const auto params = parsedJson(request.body);
   if (!params.is_object()) return refuse(400, "parameters must be a JSON object");
   try {
     if (method == "news") {

@@ -124,8 +124,8 @@ private:
 
 std::expected<std::unique_ptr<PanelData>, std::string> savedReport(const std::string& file,
                                                                    const std::string& text) {
-  auto json = OrderedJson::parse(text, nullptr, false);
-  if (json.is_discarded()) json = OrderedJson::parse(report::completed(text), nullptr, false);
+  auto json = parsedJson(text);
+  if (json.is_discarded()) json = parsedJson(report::completed(text));
   if (json.is_discarded()) return std::unexpected("`" + file + "` is not valid JSON");
   const bool isTrace = json.is_object() && json.contains("steps") && json["steps"].is_array();
   const bool isReport =

@@ -53,7 +53,7 @@ std::expected<bool, std::string> replayOne(const analysis::Program& program,
                                            const std::string& file) {
   const auto text = disk::DiskFileSystem().read(file);
   if (!text) return std::unexpected("cannot read `" + file + "`: " + text.error());
-  const auto asked = report::readChosenRun(OrderedJson::parse(*text, nullptr, false));
+  const auto asked = report::readChosenRun(parsedJson(*text));
   if (!asked) return std::unexpected("`" + file + "` is not a run: " + asked.error());
   auto run = begin(program, asked->mainSkill);
   if (!run) return std::unexpected(run.error());

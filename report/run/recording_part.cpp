@@ -38,8 +38,7 @@ public:
 
   std::expected<TraceOfPart, std::string> read(const PartOfRun& part) {
     const auto head = layout.metadata.find(std::string(kTraceHead));
-    auto trace = head == layout.metadata.end() ? OrderedJson()
-                                               : OrderedJson::parse(head->second, nullptr, false);
+    auto trace = head == layout.metadata.end() ? OrderedJson() : parsedJson(head->second);
     if (!trace.is_object())
       return std::unexpected("it was not recorded by `proskill run`, or by an older one");
     if (layout.stretches.empty()) return TraceOfPart{.text = textOf(trace, {})};
@@ -85,7 +84,7 @@ private:
     for (const auto topic : {kVariablesTopic, kSkillsTopic}) {
       const auto all = messages(topic);
       if (!all || all->empty()) continue;
-      const auto values = OrderedJson::parse(all->front(), nullptr, false);
+      const auto values = parsedJson(all->front());
       if (!values.is_object()) continue;
       const std::string suffix(topic == kSkillsTopic ? kStatusSuffix : "");
       for (const auto& [name, value] : values.items())

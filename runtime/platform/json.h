@@ -24,6 +24,10 @@ struct Wrong {
   std::optional<std::size_t> byte{}; ///< where the file is not JSON
 };
 
+/// Discarded if the text is not JSON, or nested so deep that a copy would exhaust the stack:
+/// objects that keep their order are copied when they grow.
+[[nodiscard]] Json parsedText(std::string_view text);
+
 /// \return an object
 [[nodiscard]] Json parsedFile(std::string_view text);
 

@@ -123,7 +123,7 @@ std::string abandonMessage(RunNumber run) { return lineOf({{"type", "abandon"}, 
 std::string endMessage() { return lineOf({{"type", "end"}}); }
 
 std::expected<Message, std::string> readMessage(std::string_view line) {
-  const auto json = Json::parse(line, nullptr, false);
+  const auto json = parsedText(line);
   if (json.is_discarded()) return std::unexpected("it is not JSON");
   try {
     return messageOf(json);

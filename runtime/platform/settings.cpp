@@ -192,7 +192,7 @@ std::optional<std::string> readLibraryPlatform(std::string_view text, const Exec
 }
 
 bool speaksForEnvironment(std::string_view text) {
-  const auto value = Json::parse(text, nullptr, false);
+  const auto value = parsedText(text);
   return value.is_object() &&
          (value.contains("signals") || value.contains("events") || value.contains("interrupts"));
 }

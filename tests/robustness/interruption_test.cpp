@@ -139,6 +139,21 @@ TEST_CASE("a million parentheses are refused or read, by every command") {
   }
 }
 
+TEST_CASE("JSON that is nested too deep is refused by all that read it") {
+  const test::TemporaryDirectory files;
+  constexpr std::size_t kMany = 200'000;
+  const auto list = test::repeated("[", kMany) + test::repeated("]", kMany);
+  const auto path = files.write("deep.json", "{\"steps\": " + list + ", \"a\": 1, \"b\": 2}");
+  for (const auto& command :
+       std::vector{"view --no-open " + path, "conform " + path + " " + kTour,
+                   "run --platform " + path + " " + kTour, "replay " + kTour + " " + path}) {
+    const auto done = shell("exec timeout 60 $proskill " + command);
+    INFO(command << "\n" << done.err);
+    CHECK(done.exitCode == 2);
+    CHECK(endedInOrder(done));
+  }
+}
+
 TEST_CASE("nothing in a program becomes a part of the page that reports on it") {
   const test::TemporaryDirectory files;
   const std::string attack = "</script><script>alert(1)</script><img src=x onerror=alert(1)>";

@@ -1,4 +1,5 @@
 #include "runtime/platform/json_place.h"
+#include "runtime/platform/messages.h"
 #include "runtime/platform/settings.h"
 #include "tests/runtime/run_of.h"
 
@@ -97,10 +98,20 @@ TEST_CASE("of members with the same key the kept one has a place, whatever the o
 }
 
 TEST_CASE("a deeply nested file is searched to its end") {
-  constexpr int kDepth = 100'000;
+  constexpr int kDepth = 900;
   const auto text =
       "{\"b\": 1, \"a\": " + std::string(kDepth, '[') + std::string(kDepth, ']') + "}";
-  const auto file = runtime::Json::parse(text);
+  const auto file = runtime::parsedText(text);
   CHECK(runtime::placeOfPart(text, file, &file["b"]) == "1:7");
   CHECK(runtime::placeOfPart(text, file, &text) == "1:1");
+}
+
+TEST_CASE("a file that is nested too deep is refused, not copied until the stack is full") {
+  constexpr int kDepth = 200'000;
+  const auto list = std::string(kDepth, '[') + std::string(kDepth, ']');
+  const auto text = "{\"a\": " + list + ", \"b\": 1, \"c\": 2}";
+  CHECK(runtime::parsedText(text).is_discarded());
+  CHECK(runtime::platformKind(text).error() == "1:1: it is nested too deep");
+  CHECK_FALSE(runtime::readMessage(text));
+  CHECK(runtime::parsedText("{\"a\": \"\\\"" + list + "\"}").is_object());
 }
