@@ -9,7 +9,7 @@ read -ra commands <<<"${commands[*]}"
 
 cache=build/fresh root=$PWD/build/fresh/root.$$
 mkdir -p "$cache"
-trap 'rm -rf --one-file-system "$root"' EXIT
+trap 'rm -rf --one-file-system "$root" "$root.tar"' EXIT
 
 # Debian's mirrors and proxy, from apt's configuration.
 mirrors() {
@@ -27,7 +27,8 @@ makeBase() {
   fi
   local options=()
   while read -r line; do options+=(--aptopt="${line%;}"); done < <(network)
-  mirrors | mmdebstrap --quiet --variant=minbase --include=ca-certificates,git "${options[@]}" bookworm "$cache/base.tar" -
+  mirrors | mmdebstrap --quiet --variant=minbase --include=ca-certificates,git "${options[@]}" bookworm "$root.tar" -
+  mv "$root.tar" "$cache/base.tar"
 }
 
 # A minimal system lacks the host names and certificates of this network.
