@@ -44,6 +44,27 @@ std::string verdictOn(const std::string& property, const std::string& signals = 
 const std::string kStorm = R"({"at":2,"event":"storm"})";
 const std::string kStormAndCalm = kStorm + R"(,{"at":2.5,"event":"calm"})";
 
+/// What a run of the program prints.
+std::vector<std::string> messagesOf(const std::string& text) {
+  class Messages final : public runtime::Observer {
+  public:
+    explicit Messages(const runtime::Executable& of) : executable(of) {}
+    void onStep(const runtime::Machine& machine, verify::TransitionId, runtime::Nanoseconds,
+                runtime::Nanoseconds) override {
+      if (const auto message = printedMessage(executable, machine)) all.push_back(*message);
+    }
+    void onRemark(const runtime::Remark&) override {}
+    const runtime::Executable& executable;
+    std::vector<std::string> all;
+  };
+  const auto executable = executableOf(text);
+  Messages messages(*executable);
+  const auto clock = runtime::simulatedClock();
+  const auto platform = simulatedPlatform(defaultSettings(*executable), 1);
+  std::ignore = execute(*executable, *clock, *platform, messages, {});
+  return messages.all;
+}
+
 } // namespace
 
 TEST_CASE("a condition on all states is false as soon as it is, and never true before the end") {
@@ -131,29 +152,24 @@ TEST_CASE("a property of an environment that is not executed is not monitored, a
 }
 
 TEST_CASE("a message is printed with its values") {
-  const auto executable = executableOf(R"(
+  CHECK(messagesOf(R"(
     (defsv sky :states (Clear Stormy) :init Clear :transitions :all)
     (defsv parcels :min 0 :max 9 :init 3)
     (defskill look :action (look) :success (seen missed))
     (defskill mission :success done :body
       ((look)
        (printf "%d of %d left, %s, %s: %f%% after %s" parcels (- parcels 1) sky look.status 2.5 "all")
-       (success done))))");
-  class Messages final : public runtime::Observer {
-  public:
-    explicit Messages(const runtime::Executable& of) : executable(of) {}
-    void onStep(const runtime::Machine& machine, verify::TransitionId, runtime::Nanoseconds,
-                runtime::Nanoseconds) override {
-      if (const auto message = printedMessage(executable, machine)) all.push_back(*message);
-    }
-    void onRemark(const runtime::Remark&) override {}
-    const runtime::Executable& executable;
-    std::vector<std::string> all;
-  } messages(*executable);
-  const auto clock = runtime::simulatedClock();
-  const auto platform = simulatedPlatform(defaultSettings(*executable), 1);
-  std::ignore = execute(*executable, *clock, *platform, messages, {});
-  CHECK(messages.all == std::vector<std::string>{"3 of 2 left, Clear, success: 2.5% after all"});
+       (success done))))") ==
+        std::vector<std::string>{"3 of 2 left, Clear, success: 2.5% after all"});
+}
+
+TEST_CASE("a message has the values of inputs that the model contains") {
+  CHECK(messagesOf(R"(
+    (defsv parcels :min 0 :max 9 :init 3)
+    (defskill load :input ($fast bool $count parcels $speed float) :body
+      ((if (and $fast (< $count 5)) (printf "%s, %d, %d, %f" $fast $count (+ $count 1) $speed))))
+    (defskill mission :body ((load fast true count 4 speed 1.5))))") ==
+        std::vector<std::string>{"true, 4, 5, ?"});
 }
 
 TEST_CASE("a verdict names the property and its place, and comes at its date") {
