@@ -96,7 +96,7 @@ std::optional<std::string> disagreement(const fiacre::Program& program,
   // Without extrapolation a model may have infinitely many zones; what was decided before the limit
   // must still be correct. With it every question is decided.
   const bool mayStayOpen = !options.reductions.contains(Reduction::Extrapolation);
-  options.limits.classes = mayStayOpen ? 5'000 : 200'000;
+  options.limits.classes = 200'000;
   auto result = verify::verify(program, provenance, questions, options);
   if (!result) return "the engine cannot run it: " + result.error().message;
   for (std::size_t each = 0; each < questions.size(); ++each) {
