@@ -1,6 +1,7 @@
 #include "verify/space/column.h"
 #include "verify/space/parents.h"
 #include "verify/space/state_tree.h"
+#include "verify/space/zone_graph.h"
 
 #include <catch2/catch.hpp>
 
@@ -21,6 +22,14 @@ std::vector<std::vector<Word>> randomStates(std::uint32_t words, std::size_t cou
     states.push_back(state);
   }
   return states;
+}
+
+/// A zone of one clock, with a bound that no other number gives.
+Dbm zoneOf(std::int32_t number) {
+  Dbm zone(1);
+  zone.up();
+  REQUIRE(zone.constrain(1, 0, bound(number, false)));
+  return zone;
 }
 
 } // namespace
@@ -123,4 +132,19 @@ TEST_CASE("states whose halves repeat take few bytes") {
     }
   CHECK(tree.size() == 1'000'000);
   CHECK(tree.bytes() < 11'000'000);
+}
+
+TEST_CASE("a state has the zones that were added to it, few or many, and no others") {
+  const System system;
+  ZoneGraph graph(system, {}, Extrapolation::Maximum);
+  std::map<StateId, std::int32_t> countOf{{0, 40}, {1, 3}, {2, 17}};
+  const auto hasZone = [&](StateId state, std::int32_t number) {
+    return graph.covers(state, zoneOf(number).matrix(), false);
+  };
+  for (std::size_t i = 0; i < countOf.size(); ++i) graph.addState(0);
+  for (std::int32_t i = 0; i < 40; ++i)
+    for (const auto& [state, count] : countOf)
+      if (i < count) graph.addNode(state, graph.timing.adopt(zoneOf(i)), kNone, false);
+  for (const auto& [state, count] : countOf)
+    for (std::int32_t i = 0; i < 45; ++i) CHECK(hasZone(state, i) == (i < count));
 }

@@ -40,6 +40,9 @@ TEST_CASE("A store of zones tells zones of different dimension apart") {
   CHECK(store.at(moved, 1, 0) == kInfinite);
   CHECK(store.zone(moved).dimension() == 2);
   CHECK(store.size() == 3);
+  CHECK(store.find(later.matrix()) == moved);
+  CHECK(store.find(Dbm(0).matrix()) == none);
+  CHECK(store.find(Dbm(2).matrix()) == kNone);
 }
 
 TEST_CASE("A memo calls its function once for each key") {

@@ -4,6 +4,17 @@
 
 namespace proskill::verify {
 
+namespace {
+
+constexpr std::size_t kManyNodes = 16; ///< nodes of a state
+
+std::uint64_t hashOf(StateId state, ZoneId zone) {
+  const auto hash = mix(0, std::uint64_t{state} << 32 | zone);
+  return mix(hash, hash >> 32);
+}
+
+} // namespace
+
 ZoneGraph::ZoneGraph(const System& system, const Bits& dropped, Extrapolation extrapolation)
     : enabling(system, dropped),
       timing(system, extrapolation),
@@ -29,11 +40,40 @@ void ZoneGraph::addNode(StateId state, ZoneId zone, TransitionId step, bool repl
     heads.push(node - state);
   else
     heads.set(state, node - state);
+  if (!isFirst && !replaces) addToIndex(state, node);
+}
+
+/// Keeps the nodes of a state with many nodes by their zones.
+/// \param node the newest one of the state
+void ZoneGraph::addToIndex(StateId state, NodeIndex node) {
+  if (indexed.contains(state)) return addToIndex(node);
+  if (!hasMany(state)) return;
+  if (!index) index.emplace();
+  indexed.insert(state);
+  for (NodeIndex i = node; i != kNone; i = nextOf(i)) addToIndex(i);
+}
+
+bool ZoneGraph::hasMany(StateId state) const {
+  std::size_t count = 0;
+  for (NodeIndex i = headOf(state); i != kNone && count < kManyNodes; i = nextOf(i)) ++count;
+  return count == kManyNodes;
+}
+
+void ZoneGraph::addToIndex(NodeIndex node) {
+  const auto isNever = [](NodeIndex) { return false; }; // no zone of a state is added twice
+  index->findOrAdd(hashOf(stateOf(node), zoneOf(node)), node, isNever);
+}
+
+bool ZoneGraph::isInIndex(StateId state, std::span<const Bound> zone) const {
+  const ZoneId id = timing.zones().find(zone);
+  const auto isSame = [&](NodeIndex i) { return stateOf(i) == state && zoneOf(i) == id; };
+  return id != kNone && index->find(hashOf(state, id), isSame) != kNone;
 }
 
 bool ZoneGraph::covers(StateId state, std::span<const Bound> zone, bool inclusion) const {
   const auto& all = timing.zones();
   if (const auto cover = coverOf.at(state); cover != 0) return unions[cover - 1].includesZone(zone);
+  if (indexed.contains(state)) return isInIndex(state, zone);
   for (NodeIndex i = headOf(state); i != kNone; i = nextOf(i)) {
     const auto known = all.matrix(zones.at(i));
     if (inclusion ? includes(known, zone) : std::ranges::equal(known, zone)) return true;
@@ -44,7 +84,6 @@ bool ZoneGraph::covers(StateId state, std::span<const Bound> zone, bool inclusio
 /// Removes the nodes whose zones a new one includes from the list of a state. If many remain, the
 /// state gets a cover. \return the first that remains
 NodeIndex ZoneGraph::removeSubsumed(StateId state, ZoneId zone) {
-  constexpr std::size_t kMany = 16;
   if (coverOf.at(state) != 0) {
     addToCover(state, kNone, zone);
     return headOf(state);
@@ -64,7 +103,7 @@ NodeIndex ZoneGraph::removeSubsumed(StateId state, ZoneId zone) {
     ++left;
   }
   if (last != kNone) links.set(last, 0);
-  if (left >= kMany) addToCover(state, first, zone);
+  if (left >= kManyNodes) addToCover(state, first, zone);
   return first;
 }
 
@@ -85,12 +124,15 @@ void ZoneGraph::addToCover(StateId state, NodeIndex first, ZoneId zone) {
 
 std::uint64_t ZoneGraph::bytes() const {
   std::uint64_t all = timing.bytes() + states.bytes() + coverBytes + parents.bytes() +
-                      subsumed.bytes() + unions.capacity() * sizeof(ZoneCover);
+                      subsumed.bytes() + indexed.bytes() + (index ? index->bytes() : 0) +
+                      unions.capacity() * sizeof(ZoneCover);
   for (const Column* column : {&signatures, &heads, &coverOf, &lags, &zones, &links, &steps})
     all += column->bytes();
   return all;
 }
 
-std::uint64_t ZoneGraph::growth() const { return timing.growth() + states.growth(); }
+std::uint64_t ZoneGraph::growth() const {
+  return timing.growth() + states.growth() + (index ? index->growth() : 0);
+}
 
 } // namespace proskill::verify

@@ -60,6 +60,10 @@ private:
   }
   [[nodiscard]] NodeIndex removeSubsumed(StateId state, ZoneId zone);
   void addToCover(StateId state, NodeIndex first, ZoneId zone);
+  [[nodiscard]] bool hasMany(StateId state) const;
+  void addToIndex(StateId state, NodeIndex node);
+  void addToIndex(NodeIndex node);
+  [[nodiscard]] bool isInIndex(StateId state, std::span<const Bound> zone) const;
 
   bool keepsSteps;
   Column signatures; ///< by state
@@ -67,8 +71,10 @@ private:
   Column coverOf;    ///< by state: 1 + index in `unions`, for states with many nodes
   std::vector<ZoneCover> unions;
   std::uint64_t coverBytes = 0;
-  Column lags;   ///< by node: its number minus that of its state
-  Column zones;  ///< by node
+  Bits indexed;                     ///< states with many nodes, none of which replaces another
+  std::optional<NumberTable> index; ///< their nodes, by state and zone
+  Column lags;                      ///< by node: its number minus that of its state
+  Column zones;                     ///< by node
   Column links;  ///< by node: its number minus that of the next older node of the state; 0: none
   Column steps;  ///< by node: 1 + the step to it; 0 if it is not kept
   Bits subsumed; ///< nodes

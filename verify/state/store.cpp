@@ -38,17 +38,28 @@ StateStore::Added StateStore::add(const Word* state) {
   return {id, true};
 }
 
+std::uint64_t ZoneStore::hashOf(std::span<const Bound> zone) {
+  std::uint64_t hash = zone.size();
+  for (auto entry : zone) hash = mix(hash, static_cast<std::uint32_t>(entry));
+  return mix(hash, hash >> 32);
+}
+
+bool ZoneStore::isEqual(std::span<const Bound> zone, ZoneId other) const {
+  return std::ranges::equal(matrix(other), zone);
+}
+
 ZoneId ZoneStore::add(const Dbm& zone) {
-  auto entries = zone.matrix();
-  std::uint64_t hash = zone.dimension();
-  for (auto entry : entries) hash = mix(hash, static_cast<std::uint32_t>(entry));
-  hash = mix(hash, hash >> 32);
-  auto id = table.findOrAdd(
-      hash, size(), [&](ZoneId other) { return std::ranges::equal(matrix(other), entries); });
+  const auto entries = zone.matrix();
+  const auto id = table.findOrAdd(hashOf(entries), size(),
+                                  [&](ZoneId other) { return isEqual(entries, other); });
   if (id != size()) return id;
   places.push_back({arena.size(), zone.dimension()});
   arena.insert(arena.end(), entries.begin(), entries.end());
   return id;
+}
+
+ZoneId ZoneStore::find(std::span<const Bound> zone) const {
+  return table.find(hashOf(zone), [&](ZoneId other) { return isEqual(zone, other); });
 }
 
 } // namespace proskill::verify

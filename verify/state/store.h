@@ -110,6 +110,8 @@ private:
 class ZoneStore {
 public:
   ZoneId add(const Dbm& zone);
+  /// The number of a zone; kNone if it is not stored.
+  [[nodiscard]] ZoneId find(std::span<const Bound> zone) const;
   [[nodiscard]] std::span<const Bound> matrix(ZoneId id) const {
     const Place& place = places[id];
     return {arena.data() + place.offset, std::size_t{place.dimension} * place.dimension};
@@ -133,6 +135,9 @@ private:
     std::uint64_t offset = 0;
     std::uint32_t dimension = 0;
   };
+
+  [[nodiscard]] static std::uint64_t hashOf(std::span<const Bound> zone);
+  [[nodiscard]] bool isEqual(std::span<const Bound> zone, ZoneId other) const;
 
   std::vector<Place> places;
   std::vector<Bound> arena;
