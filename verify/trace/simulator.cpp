@@ -18,7 +18,7 @@ Simulator::Simulator(const System& of, std::int64_t units) : system(of), scale(u
 
 Concrete Simulator::start() const {
   Concrete made{initialState(system), {}};
-  for (auto id : enabledIn(made.state)) made.since[id] = 0;
+  for (auto id : enabledIn(made.state)) made.since.add(id, 0);
   return made;
 }
 
@@ -91,12 +91,14 @@ std::optional<Concrete> Simulator::take(const Concrete& now, TransitionId id, st
   Concrete next{now.state, {}};
   log.clear();
   if (fire(system, id, next.state.data(), log) != Outcome::Done) return std::nullopt;
-  for (auto other : enabledIn(next.state)) {
+  const auto enabled = enabledIn(next.state);
+  next.since.reserve(enabled.size());
+  for (auto other : enabled) {
     const auto clocked = withoutObservers(other);
     auto before = now.since.find(clocked);
     bool goesOn = before != now.since.end() && clocked != withoutObservers(id) &&
                   !disturbs(system, id, clocked);
-    next.since[other] = goesOn ? before->second : date;
+    next.since.add(other, goesOn ? before->second : date);
   }
   return next;
 }
@@ -142,6 +144,7 @@ std::vector<TransitionId> Simulator::enabledIn(const std::vector<Word>& state) c
     for (auto id : startingAt[i][static_cast<std::size_t>(at)])
       if (isEnabled(system, id, state.data())) all.push_back(id);
   }
+  std::ranges::sort(all);
   return all;
 }
 

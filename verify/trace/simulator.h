@@ -2,18 +2,45 @@
 
 #include "verify/state/run.h"
 
-#include <map>
+#include <algorithm>
 #include <optional>
+#include <utility>
 #include <vector>
 
 /// Executes a system on concrete values and dates. It uses the transitions, but no zones, clocks or
 /// reductions: every transition has an age of its own.
 namespace proskill::verify {
 
+/// Since when transitions have been enabled, in units of 1/scale; ordered by transition. States are
+/// copied and compared at each step, so this is one block of memory.
+class EnabledSince {
+public:
+  using Entry = std::pair<TransitionId, std::int64_t>;
+  using Iterator = std::vector<Entry>::const_iterator;
+
+  /// \pre later than all others in the order
+  void add(TransitionId id, std::int64_t date) { entries.emplace_back(id, date); }
+  void reserve(std::size_t count) { entries.reserve(count); }
+  [[nodiscard]] Iterator begin() const { return entries.begin(); }
+  [[nodiscard]] Iterator end() const { return entries.end(); }
+  [[nodiscard]] bool empty() const { return entries.empty(); }
+  [[nodiscard]] Iterator find(TransitionId id) const {
+    const auto found = std::ranges::lower_bound(entries, id, {}, &Entry::first);
+    return found != end() && found->first == id ? found : end();
+  }
+  [[nodiscard]] bool contains(TransitionId id) const { return find(id) != end(); }
+  /// \pre contains(id)
+  [[nodiscard]] std::int64_t at(TransitionId id) const { return find(id)->second; }
+  friend auto operator<=>(const EnabledSince&, const EnabledSince&) = default;
+
+private:
+  std::vector<Entry> entries;
+};
+
 /// A discrete state, and since when each of its enabled transitions has been enabled.
 struct Concrete {
   std::vector<Word> state;
-  std::map<TransitionId, std::int64_t> since; ///< in units of 1/scale
+  EnabledSince since;
   friend auto operator<=>(const Concrete&, const Concrete&) = default;
 };
 
@@ -50,6 +77,7 @@ public:
   [[nodiscard]] bool canGoOn(const Concrete& now, std::int64_t date) const;
 
 private:
+  /// In their order.
   [[nodiscard]] std::vector<TransitionId> enabledIn(const std::vector<Word>& state) const;
   [[nodiscard]] bool isOldEnough(const Concrete& now, TransitionId id, std::int64_t date) const;
   [[nodiscard]] bool isBlocked(const Concrete& now, TransitionId id) const;
