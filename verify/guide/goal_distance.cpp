@@ -43,30 +43,70 @@ GoalDistance::GoalDistance(const System& of, const System& withLayout, const Goa
   wanted = goal.kind == GoalKind::Condition ? condition(goal.condition, false) : newFact();
   for (TransitionId i = 0; i < system.transitions.size(); ++i)
     if (!dropped.contains(i)) addTransition(i, goal);
+  keepRelevant();
+  index();
+  costs.resize(facts);
+  makers.resize(facts);
+}
+
+GoalDistance::FactId GoalDistance::newFact() { return facts++; }
+
+void GoalDistance::addRule(std::vector<FactId> needs, std::vector<FactId> to, TransitionId step) {
+  rules.push_back({std::move(needs), std::move(to), step});
+}
+
+/// The facts from which rules lead to the goal.
+Bits GoalDistance::relevantFacts() const {
+  std::vector<std::vector<RuleId>> makersOf(facts);
   for (RuleId i = 0; i < rules.size(); ++i)
+    for (auto fact : rules[i].makes) makersOf[fact].push_back(i);
+  Bits relevant;
+  std::vector<FactId> todo{wanted};
+  while (!todo.empty()) {
+    const FactId fact = todo.back();
+    todo.pop_back();
+    if (relevant.contains(fact)) continue;
+    relevant.insert(fact);
+    for (auto rule : makersOf[fact])
+      todo.insert(todo.end(), rules[rule].needs.begin(), rules[rule].needs.end());
+  }
+  return relevant;
+}
+
+/// Forgets facts from which nothing leads to the goal. Estimates stay the same.
+void GoalDistance::keepRelevant() {
+  const Bits relevant = relevantFacts();
+  for (auto& rule : rules)
+    std::erase_if(rule.makes, [&](FactId it) { return !relevant.contains(it); });
+  std::erase_if(rules, [](const Rule& it) { return it.makes.empty(); });
+  std::erase_if(tracked, [&](const TrackedCell& it) {
+    for (FactId i = 0; i < static_cast<FactId>(sizeOf(system.cells[it.cell])); ++i)
+      if (relevant.contains(it.first + i)) return false;
+    return true;
+  });
+}
+
+void GoalDistance::index() {
+  std::vector<std::vector<RuleId>> users(facts);
+  for (RuleId i = 0; i < rules.size(); ++i) {
+    for (auto fact : rules[i].needs) users[fact].push_back(i);
     if (rules[i].needs.empty()) always.push_back(i);
-  costs.resize(uses.size());
-  makers.resize(uses.size());
-  open.resize(rules.size());
-  sums.resize(rules.size());
+    makes.add(rules[i].makes);
+    none.push_back({static_cast<std::uint32_t>(rules[i].needs.size()), 0});
+  }
+  for (const auto& some : users) uses.add(some);
 }
 
-GoalDistance::FactId GoalDistance::newFact() {
-  uses.emplace_back();
-  return static_cast<FactId>(uses.size() - 1);
-}
-
-void GoalDistance::addRule(std::vector<FactId> needs, std::vector<FactId> makes,
-                           TransitionId step) {
-  for (auto fact : needs) uses[fact].push_back(static_cast<RuleId>(rules.size()));
-  rules.push_back({std::move(needs), std::move(makes), step});
+void GoalDistance::Lists::add(const std::vector<std::uint32_t>& list) {
+  items.insert(items.end(), list.begin(), list.end());
+  ends.push_back(static_cast<std::uint32_t>(items.size()));
 }
 
 /// \pre the cell is tracked
 GoalDistance::FactId GoalDistance::factOf(CellId cell, std::int64_t value) {
-  const auto [entry, isNew] = firstOf.try_emplace(cell, static_cast<FactId>(uses.size()));
+  const auto [entry, isNew] = firstOf.try_emplace(cell, facts);
   if (isNew) {
-    uses.resize(uses.size() + static_cast<std::size_t>(sizeOf(system.cells[cell])));
+    facts += static_cast<FactId>(sizeOf(system.cells[cell]));
     tracked.push_back({cell, entry->second});
   }
   return entry->second + static_cast<FactId>(value - system.cells[cell].low);
@@ -228,27 +268,27 @@ void GoalDistance::reachInitial(const Word* state) {
   }
 }
 
+/// Follows a rule all of whose needs are met.
+void GoalDistance::apply(RuleId rule) {
+  const auto cost = progress[rule].sum + (rules[rule].step == kNone ? 0 : 1);
+  for (auto fact : makes.at(rule)) reach(fact, cost, rule);
+}
+
 /// Dijkstra's algorithm: facts in the order of their costs.
 std::uint32_t GoalDistance::from(const Word* state) {
   std::ranges::fill(costs, kFar);
-  std::ranges::fill(sums, 0);
   for (auto& some : byCost) some.clear();
-  for (RuleId i = 0; i < rules.size(); ++i)
-    open[i] = static_cast<std::uint32_t>(rules[i].needs.size());
+  progress = none;
   reachInitial(state);
-  const auto apply = [&](RuleId id) {
-    const auto cost = sums[id] + (rules[id].step == kNone ? 0 : 1);
-    for (auto fact : rules[id].makes) reach(fact, cost, id);
-  };
-  std::ranges::for_each(always, apply);
+  for (auto rule : always) apply(rule);
   for (std::uint32_t cost = 0; cost < byCost.size(); ++cost)
     for (std::size_t i = 0; i < byCost[cost].size(); ++i) { // both grow
       const FactId fact = byCost[cost][i];
       if (costs[fact] != cost) continue; // reached at a lower cost
       if (fact == wanted) return cost;
-      for (auto rule : uses[fact]) {
-        sums[rule] += cost;
-        if (--open[rule] == 0) apply(rule);
+      for (auto rule : uses.at(fact)) {
+        progress[rule].sum += cost;
+        if (--progress[rule].open == 0) apply(rule);
       }
     }
   return kFar;

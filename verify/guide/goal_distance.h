@@ -5,6 +5,7 @@
 #include "verify/model/system.h"
 
 #include <map>
+#include <span>
 #include <vector>
 
 namespace proskill::verify {
@@ -41,6 +42,22 @@ private:
     std::vector<FactId> makes;
     TransitionId step = kNone; ///< kNone: follows without a step
   };
+  /// What an estimate reads most often: a part of an array for each number.
+  struct Lists {
+    std::vector<std::uint32_t> ends; ///< by number: where its part ends; the next one begins there
+    std::vector<std::uint32_t> items;
+
+    void add(const std::vector<std::uint32_t>& list);
+    [[nodiscard]] std::span<const std::uint32_t> at(std::uint32_t number) const {
+      const std::uint32_t first = number == 0 ? 0 : ends[number - 1];
+      return {items.data() + first, items.data() + ends[number]};
+    }
+  };
+  /// How far a rule has come in an estimate.
+  struct Progress {
+    std::uint32_t open = 0; ///< number of needs that are not met
+    std::uint32_t sum = 0;  ///< of the costs of those that are
+  };
   /// A way through the code of a path.
   struct Way {
     std::size_t at = 0; ///< the next instruction
@@ -65,16 +82,23 @@ private:
   void addWay(Way way, std::size_t& left);
   void require(NodeId node, bool isNegated, Way& way);
   void assign(const Assignment& assignment, Way& way);
+  [[nodiscard]] Bits relevantFacts() const;
+  void keepRelevant();
+  void index();
+  void apply(RuleId rule);
   void reach(FactId fact, std::uint32_t cost, RuleId by);
   void reachInitial(const Word* state);
 
   const System& system;
   const System& laidOut;
   LimitWatch& limits;
-  std::vector<std::int64_t> values;      ///< by cell: those with which a comparison is tried
-  std::vector<std::vector<RuleId>> uses; ///< by fact: the rules that need it
+  std::vector<std::int64_t> values; ///< by cell: those with which a comparison is tried
+  FactId facts = 0;                 ///< number of facts
   std::vector<Rule> rules;
+  Lists uses;                 ///< by fact: the rules that need it
+  Lists makes;                ///< by rule
   std::vector<RuleId> always; ///< rules that need nothing
+  std::vector<Progress> none; ///< by rule: before an estimate
   std::map<CellId, FactId> firstOf;
   std::vector<TrackedCell> tracked;
   std::map<std::pair<NodeId, bool>, FactId> conditions;
@@ -83,8 +107,7 @@ private:
   // of one estimate:
   std::vector<std::uint32_t> costs; ///< by fact
   std::vector<RuleId> makers;       ///< by fact: the rule of these costs; kNone: from the start
-  std::vector<std::uint32_t> open;  ///< by rule: number of needs that are not met
-  std::vector<std::uint32_t> sums;  ///< by rule: sum of the costs of its needs
+  std::vector<Progress> progress;   ///< by rule
   std::vector<std::vector<FactId>> byCost; ///< facts that were reached, each at least once
 };
 
