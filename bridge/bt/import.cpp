@@ -34,7 +34,7 @@ std::string verdictLine(const Vocabulary& vocabulary) {
 
 std::vector<std::string> summaryOf(const Vocabulary& vocabulary, const Forest& forest) {
   std::vector<std::string> lines;
-  if (!forest.hasFormat) lines.emplace_back("`BTCPP_format` is missing: read as version 4");
+  if (!forest.hasFormat) lines.emplace_back("`BTCPP_format` is not 4: read as version 4");
   if (!forest.undeclared.empty())
     lines.push_back(fmt::format("not declared in `TreeNodesModel`, taken as actions: {}",
                                 fmt::join(forest.undeclared, ", ")));

@@ -76,8 +76,8 @@ TEST_CASE("errors in a tree have places") {
 
 TEST_CASE("errors in a file have places") {
   CHECK(errorsIn("<root>\n</root>") == "main.xml:1:1: there is no `BehaviorTree`\n");
-  CHECK(errorsIn("<root BTCPP_format=\"3\"><BehaviorTree ID=\"A\"><X/></BehaviorTree></root>") ==
-        "main.xml:1:1: `BTCPP_format` must be 4\n");
+  CHECK(errorsIn("<root BTCPP_format=\"5\"><BehaviorTree ID=\"A\"><X/></BehaviorTree></root>") ==
+        "main.xml:1:1: `BTCPP_format` must be 3 or 4\n");
   CHECK(errorsIn("<root>\n  <a>\n</root>") ==
         "main.xml:3:3: not well-formed XML: mismatched tag\n");
   CHECK(contains(errorsIn(""), "main.xml:1:1: not well-formed XML"));
@@ -317,7 +317,7 @@ TEST_CASE("a tree of Nav2 is imported, with its own nodes and conditions") {
 </root>)";
   const auto imported = importTree(MemoryFiles({{"main.xml", xml}}), "main.xml", Leaves(), {});
   REQUIRE(imported);
-  CHECK(imported->summary[0] == "`BTCPP_format` is missing: read as version 4");
+  CHECK(imported->summary[0] == "`BTCPP_format` is not 4: read as version 4");
   CHECK(imported->summary[1] ==
         "not declared in `TreeNodesModel`, taken as actions: ComputePath, FollowPath, Spin, Wait");
   CHECK(contains(imported->text, "(defsv GoalUpdated\n"));

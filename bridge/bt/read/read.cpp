@@ -85,10 +85,10 @@ private:
     if (root.name != "root")
       return fail(root, fmt::format("the outermost element must be `root`, not `{}`", root.name));
     const auto* format = root.attribute("BTCPP_format");
-    if (format == nullptr)
+    if (format == nullptr || *format == "3")
       forest.hasFormat = false;
     else if (*format != "4")
-      fail(root, "`BTCPP_format` must be 4");
+      fail(root, "`BTCPP_format` must be 3 or 4");
     for (const auto& element : root.children)
       if (element.name != "BehaviorTree" && element.name != "TreeNodesModel" &&
           element.name != "include")

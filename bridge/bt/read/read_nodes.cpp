@@ -19,6 +19,18 @@ constexpr auto kReserved = std::to_array<std::string_view>(
     {"_failureIf", "_successIf", "_skipIf", "_while", "_onSuccess", "_onFailure", "_onHalted",
      "_post", "_autoremap", "_description", "_fullpath", "_uid"});
 
+/// Attributes of subtrees in version 3: both let a subtree use the entries outside.
+bool isOfVersion3(std::string_view key) {
+  return key == "__shared_blackboard" || key == "__autoremap";
+}
+
+/// The type of a control node or a decorator may be in its attribute `ID`.
+const std::string& tag(const Element& element) {
+  const auto* id = element.attribute("ID");
+  const bool isExplicit = element.name == "Control" || element.name == "Decorator";
+  return isExplicit && id != nullptr ? *id : element.name;
+}
+
 std::string children(std::size_t count) {
   return fmt::format("{} child{}", count, count == 1 ? "" : "ren");
 }
@@ -41,7 +53,9 @@ Node NodeReader::node(const Element& element) {
 
 void NodeReader::attributes(const Element& element, Node& node) {
   for (const auto& [key, value] : element.attributes) {
-    if (key.starts_with('_') && std::ranges::find(kReserved, key) == kReserved.end())
+    if (tag(element).starts_with("SubTree") && isOfVersion3(key))
+      node.ports.emplace(key.substr(1), value);
+    else if (key.starts_with('_') && std::ranges::find(kReserved, key) == kReserved.end())
       fail(element, fmt::format("`{}` is not an attribute of BehaviorTree.CPP", key));
     else if (key == "ID")
       node.id = value;
@@ -53,34 +67,34 @@ void NodeReader::attributes(const Element& element, Node& node) {
 }
 
 void NodeReader::classify(const Element& element, Node& node) {
-  const auto* known = builtIn(element.name);
+  const auto* known = builtIn(tag(element));
   if (known == nullptr) return classifyCustom(element, node);
   node.kind = known->kind;
   needed(element);
   countChildren(element, known->least, known->most);
-  if (nameIsNeeded(element.name) && node.id.empty())
-    fail(element, fmt::format("`{}` needs an attribute `ID`", element.name));
-  if (!nameIsNeeded(element.name)) node.id = element.name;
+  if (nameIsNeeded(tag(element)) && node.id.empty())
+    fail(element, fmt::format("`{}` needs an attribute `ID`", tag(element)));
+  if (!nameIsNeeded(tag(element))) node.id = tag(element);
 }
 
 void NodeReader::needed(const Element& element) {
-  if (element.name == "Script" || element.name == "ScriptCondition") return script(element);
-  if (element.name != "SetBlackboard") return;
+  if (tag(element) == "Script" || tag(element) == "ScriptCondition") return script(element);
+  if (tag(element) != "SetBlackboard") return;
   for (const auto* port : {"output_key", "value"})
     if (element.attribute(port) == nullptr)
-      fail(element, fmt::format("`{}` needs an attribute `{}`", element.name, port));
+      fail(element, fmt::format("`{}` needs an attribute `{}`", tag(element), port));
 }
 
 void NodeReader::script(const Element& element) {
   const auto* code = element.attribute("code");
   if (code == nullptr)
-    return fail(element, fmt::format("`{}` needs an attribute `code`", element.name));
+    return fail(element, fmt::format("`{}` needs an attribute `code`", tag(element)));
   if (const auto why = scriptError(*code))
     fail(element, fmt::format("this is not a script: {}", *why));
 }
 
 void NodeReader::classifyCustom(const Element& element, Node& node) {
-  node.id = element.name;
+  node.id = tag(element);
   if (const auto declared = forest.declared.find(node.id); declared != forest.declared.end()) {
     node.kind = declared->second;
     undeclaredPorts(node);
@@ -112,7 +126,7 @@ void NodeReader::countChildren(const Element& element, std::size_t least, std::s
   const auto count = element.children.size();
   if (count >= least && count <= most) return;
   fail(element,
-       fmt::format("`{}` must have {}, not {}", element.name, expected(least, most), count));
+       fmt::format("`{}` must have {}, not {}", tag(element), expected(least, most), count));
 }
 
 void NodeReader::fail(const Element& element, std::string message) {

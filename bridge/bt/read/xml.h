@@ -23,7 +23,7 @@ inline constexpr std::size_t kLargestXml = 16 << 20; ///< bytes
 inline constexpr std::size_t kMostElements = 200'000;
 
 /// Reads a document. Declarations of document types, and so of entities, are rejected; what is
-/// between the elements must be white space or comments.
+/// between the elements must be white space or comments, but for the descriptions in models.
 /// \return the root element, or the first error
 [[nodiscard]] std::expected<Element, Error> readXml(std::string_view text,
                                                     const std::filesystem::path& file);

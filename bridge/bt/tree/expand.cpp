@@ -15,14 +15,17 @@ struct Scope {
   bool automatic = false; ///< entries have the same names outside
 };
 
+/// An entry of the blackboard; version 3 may write `${entry}`.
 bool isEntry(std::string_view value) {
+  if (value.starts_with("${")) value.remove_prefix(1);
   return value.size() > 2 && value.front() == '{' && value.back() == '}';
 }
 
 /// \param literally a port that got a value is that value
 std::string resolve(const std::string& value, const Scope& scope, bool literally = false) {
   if (!isEntry(value)) return value;
-  auto key = value.substr(1, value.size() - 2);
+  const auto start = value.find('{') + 1;
+  auto key = value.substr(start, value.size() - start - 1);
   if (key == "=") return value;
   if (key.starts_with('@')) return value; // of the root's blackboard
   // The entry of a port that got a value may be overwritten: elsewhere it is one of the subtree.
@@ -71,6 +74,8 @@ private:
   }
 
   Scope scopeOf(const Node& node, const Scope& outer) {
+    if (node.port("_shared_blackboard") == "true" || node.port("_shared_blackboard") == "1")
+      return outer;
     Scope scope{.prefix = fmt::format("{}{}.{}/", outer.prefix, node.id, ++uses),
                 .outer = &outer,
                 .automatic = node.port("_autoremap") == "true" || node.port("_autoremap") == "1"};

@@ -23,8 +23,11 @@ std::optional<std::int64_t> numberIn(const std::string& port) {
 
 std::optional<Thresholds> thresholdsOf(const Node& parallel) {
   const auto count = sizeOf(parallel);
-  auto successes = numberIn(parallel.port("success_count", "-1"));
-  auto failures = numberIn(parallel.port("failure_count", "1"));
+  const auto oldest = parallel.port("threshold");
+  const auto old = parallel.port("success_threshold", oldest.empty() ? "-1" : oldest);
+  const auto oldFailures = parallel.port("failure_threshold", oldest.empty() ? "1" : "-1");
+  auto successes = numberIn(parallel.port("success_count", old));
+  auto failures = numberIn(parallel.port("failure_count", oldFailures));
   if (!successes || !failures) return std::nullopt;
   if (*successes < 0) *successes += count + 1;
   if (*failures < 0) *failures += count + 1;

@@ -49,7 +49,9 @@ struct Thresholds {
   std::int64_t successes = 1;
   std::int64_t failures = 1;
 };
-/// Nothing if a port is not a number, or not a number that BehaviorTree.CPP accepts.
+/// By the ports of version 4, of version 3 (`success_threshold`, `failure_threshold`), or of its
+/// first releases (`threshold`, which says both).
+/// \return nothing if a port is not a number, or not a number that BehaviorTree.CPP accepts.
 [[nodiscard]] std::optional<Thresholds> thresholdsOf(const Node& parallel);
 /// `max_failures` of a ParallelAll, or nothing.
 [[nodiscard]] std::optional<std::int64_t> failuresOf(const Node& parallelAll);
