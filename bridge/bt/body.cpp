@@ -106,9 +106,14 @@ void Body::plain(const Node& node, const Exit& success, const Exit& failure, con
 }
 
 void Body::composite(const Node& node, const Exit& success, const Exit& failure, const Skip& skip) {
+  const bool passes = passesTurn(node.kind);
+  if (!passes && vocabulary.turn && vocabulary.turn->child > 1)
+    vocabulary.approximate(node, "it may go on between two ticks");
   const auto skill = Composites(vocabulary).of(node);
   const auto at = statements.size();
-  call(skill, traits.endsInside(node), success, failure, skip);
+  statements.push_back(list(skill));
+  if (!passes) append(statements, nextTurn());
+  called(skill, traits.endsInside(node), success, failure, skip);
   commentAt(at, node);
 }
 
@@ -130,13 +135,14 @@ void Body::condition(const Node& node, const Exit& success, const Exit& failure)
 
 void Body::action(const Node& node, const Exit& success, const Exit& failure) {
   const auto at = statements.size();
-  call(vocabulary.action(node), traits.endsInside(node), success, failure, {});
+  const auto skill = vocabulary.action(node);
+  append(statements, lastingAction(skill));
+  called(skill, traits.endsInside(node), success, failure, {});
   commentAt(at, node);
 }
 
-void Body::call(const std::string& skill, Ends ends, const Exit& success, const Exit& failure,
-                const Skip& skip) {
-  statements.push_back(list(skill));
+void Body::called(const std::string& skill, Ends ends, const Exit& success, const Exit& failure,
+                  const Skip& skip) {
   if (skip) test(list("=", skill + ".res", "skipped"), *skip);
   if (!ends.success && !ends.failure) return;
   if (success == failure) return leave(success);
@@ -225,7 +231,7 @@ void Body::delay(const Node& node, const char* port) {
     vocabulary.approximate(node, fmt::format("`{}` may be any time", port));
   else if (!seconds)
     vocabulary.fail(node, fmt::format("`{}` must be a number of milliseconds", port));
-  statements.push_back(std::move(wait));
+  append(statements, lasting(std::move(wait)));
 }
 
 void Body::ifThenElse(const Node& node, const Exit& success, const Exit& failure,

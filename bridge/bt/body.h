@@ -37,17 +37,25 @@ public:
   /// The wait for another tick; `atOnce`: it may also be this one.
   [[nodiscard]] Form nextTick(bool atOnce) const;
 
+  /// A wait. Where a tick has to reach it, it goes on in such a tick only.
+  [[nodiscard]] Block lasting(Form wait) const;
+  /// The same for the call of a basic skill, which says itself that it has started.
+  [[nodiscard]] Block lastingAction(const std::string& skill) const;
+
   Block statements;
 
 private:
+  /// What follows a statement that has ended: the next tick that reaches it.
+  [[nodiscard]] Block nextTurn() const;
   void preconditions(const Node& node, const Exit& success, const Exit& failure, const Skip& skip);
   void whileTrue(const Node& node, const Exit& success, const Exit& failure, const Exit& skip);
   void scripted(const Node& node, const std::string& port, const Exit& exit);
   void condition(const Node& node, const Exit& success, const Exit& failure);
   void action(const Node& node, const Exit& success, const Exit& failure);
   void composite(const Node& node, const Exit& success, const Exit& failure, const Skip& skip);
-  void call(const std::string& skill, Ends ends, const Exit& success, const Exit& failure,
-            const Skip& skip);
+  /// What follows the call of a skill.
+  void called(const std::string& skill, Ends ends, const Exit& success, const Exit& failure,
+              const Skip& skip);
   /// A child of a sequence or a fallback; after it and where it is skipped, control is at `goOn`.
   void child(const Node& child, bool isSequence, const Exit& goOn, const Exit& early);
   void inOrder(const Node& node, bool isSequence, const Exit& success, const Exit& failure,
@@ -63,6 +71,7 @@ private:
   void tryCatch(const Node& node, const Exit& success, const Exit& failure, const Skip& skip);
   void loop(const Node& node, const Exit& success, const Exit& failure);
   void endlessLoop(const Node& node, const Exit& exit);
+  std::string waitBefore(const std::string& label, Form wait);
   void countedLoop(const Node& node, std::int64_t rounds, const Exit& success, const Exit& failure);
   void anyLoop(const Node& node, const Exit& success, const Exit& failure);
   void delay(const Node& node, const char* port);

@@ -24,7 +24,10 @@ bool needsWatching(const Node& reactive, const Traits& traits) {
 
 std::string Composites::of(const Node& node) {
   auto name = vocabulary.names.take(wordOf(node));
+  const auto turn = vocabulary.turn;
+  if (!passesTurn(node.kind)) vocabulary.turn.reset();
   auto body = bodyOf(node);
+  vocabulary.turn = turn;
   vocabulary.composite(name, vocabulary.comment(node), std::move(body));
   return name;
 }
@@ -118,26 +121,11 @@ Block Composites::choice(const Node& node) {
   return {list("label", again), choice, list("goto", again)};
 }
 
-/// That a child may be a condition, of which the file does not say what it is.
-std::string Composites::hint(const Node& node) const {
-  for (const auto& child : node.children)
-    if (child.kind == Kind::Action &&
-        std::ranges::find(vocabulary.undeclared, child.id) != vocabulary.undeclared.end())
-      return fmt::format("; if `{}` is a condition, a file of `--leaves` may say so", child.id);
-  return "";
-}
-
 Block Composites::reactive(const Node& node) {
   const bool isSequence = node.kind == Kind::ReactiveSequence;
   const auto guards = guardsOf(node, traits);
   const auto running = std::ranges::count_if(
       node.children, [&](const Node& child) { return !traits.isPure(child); });
-  if (running > 1) {
-    vocabulary.fail(node, fmt::format("a `{}` with {} children that can run is not supported: it "
-                                      "starts the first of them again at each tick{}",
-                                      node.id, running, hint(node)));
-    return fail().jump;
-  }
   const auto early = isSequence ? fail() : succeed();
   const auto late = isSequence ? succeed() : fail();
   Body first(vocabulary);
@@ -147,10 +135,18 @@ Block Composites::reactive(const Node& node) {
   rest.children.assign(node.children.begin() + static_cast<std::ptrdiff_t>(guards),
                        node.children.end());
   const auto until = Guard(vocabulary).ofAll(node, guards, !isSequence, true);
-  // Both ways out of the race continue after it, so that the skill has one place for each.
   auto statements = std::move(first.statements);
-  append(statements, watched(rest, isSequence ? late : Exit{}, isSequence ? Exit{} : late, until,
-                             maySkip(rest) ? late : Skip()));
+  append(statements,
+         running > 1 ? inTurn(rest, early, late, until) : onlyOne(rest, early, late, until));
+  return statements;
+}
+
+/// Both ways out of the race continue after it, so that the skill has one place for each.
+Block Composites::onlyOne(const Node& rest, const Exit& early, const Exit& late,
+                          const Form& until) {
+  const bool isSequence = rest.kind == Kind::Sequence;
+  auto statements = watched(rest, isSequence ? late : Exit{}, isSequence ? Exit{} : late, until,
+                            maySkip(rest) ? late : Skip());
   append(statements, early.jump);
   return statements;
 }

@@ -7,6 +7,10 @@ namespace proskill::bridge::bt {
 /// Whether a reactive node has children after the conditions that it tests at each tick.
 [[nodiscard]] bool needsWatching(const Node& reactive, const Traits& traits);
 
+/// Whether the parts of a node that takes time wait for their turn themselves, so that the node
+/// need not.
+[[nodiscard]] bool passesTurn(Kind kind);
+
 /// Composite skills for the nodes that stop their children while these run.
 class Composites {
 public:
@@ -29,8 +33,19 @@ private:
   Block branches(const Node& node, const Exit& success, const Exit& failure);
   Block whileDoElse(const Node& node);
   Block choice(const Node& node);
-  [[nodiscard]] std::string hint(const Node& node) const;
   Block reactive(const Node& node);
+  /// The rest of a reactive node after the conditions that it begins with: a wait for the end of
+  /// the child that can run.
+  Block onlyOne(const Node& rest, const Exit& early, const Exit& late, const Form& until);
+  /// The same where several children can run: a branch for each.
+  Block inTurn(const Node& rest, const Exit& early, const Exit& late, const Form& until);
+  Block branchInTurn(const Node& part, Turn turn, const Exit& early, const Exit& late);
+  Block inTurnOnce(const Node& part, const Turn& turn, const Exit& early, const Block& after);
+  Block betweenTicks(const Turn& turn);
+  Turn turnOf(const Node& node, std::size_t children);
+  static Block forget(const Turn& turn);
+  void startsAgain(const Node& child);
+  static Block passOn(const Turn& turn);
   Block watched(const Node& node, const Exit& success, const Exit& failure, const Form& until,
                 const Skip& skip = {});
 

@@ -38,8 +38,9 @@ std::vector<std::string> summaryOf(const Vocabulary& vocabulary, const Forest& f
   if (!forest.undeclared.empty())
     lines.push_back(fmt::format("not declared in `TreeNodesModel`, taken as actions: {}",
                                 fmt::join(forest.undeclared, ", ")));
-  for (const auto& note : forest.notes)
-    lines.push_back(fmt::format("{}: {}", asText(note.place, {}), note.message));
+  for (const auto* notes : {&forest.notes, &vocabulary.remarks})
+    for (const auto& note : *notes)
+      lines.push_back(fmt::format("{}: {}", asText(note.place, {}), note.message));
   for (const auto& name : vocabulary.leaves.unused())
     lines.push_back(
         fmt::format("no node is called `{}`, of which the file of leaves speaks", name));

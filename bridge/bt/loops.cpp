@@ -12,6 +12,8 @@ Form Body::nextTick(bool atOnce) const {
 void Body::loop(const Node& node, const Exit& success, const Exit& failure) {
   const auto at = statements.size();
   const auto rounds = roundsOf(node);
+  if (vocabulary.turn && node.kind != Kind::KeepRunning && rounds != 1)
+    vocabulary.approximate(node, "a tick may begin several rounds");
   const auto& port = node.port(node.kind == Kind::Repeat ? "num_cycles" : "num_attempts");
   if (node.kind == Kind::KeepRunning || rounds == -1)
     endlessLoop(node, node.kind == Kind::Retry ? success : failure);
@@ -30,13 +32,22 @@ void Body::endlessLoop(const Node& node, const Exit& exit) {
   const auto label = vocabulary.names.take("again");
   Exit again = to(label);
   const bool keeps = node.kind == Kind::KeepRunning;
-  if (keeps || traits.mayEndAtOnce(child)) again.jump.insert(again.jump.begin(), nextTick(!keeps));
+  if (keeps || traits.mayEndAtOnce(child)) again = to(waitBefore(label, nextTick(!keeps)));
   place(label);
   // KeepRunningUntilFailure ends with a failure, as Repeat does.
   if (node.kind == Kind::Retry)
     this->node(child, exit, again);
   else
     this->node(child, again, exit);
+}
+
+/// A wait that leads to a label that is placed next. \return the label of the wait
+std::string Body::waitBefore(const std::string& label, Form wait) {
+  const auto waits = vocabulary.names.take("next");
+  leave(to(label));
+  place(waits);
+  append(statements, lasting(std::move(wait)));
+  return waits;
 }
 
 void Body::countedLoop(const Node& node, std::int64_t rounds, const Exit& success,
@@ -70,8 +81,8 @@ void Body::anyLoop(const Node& node, const Exit& success, const Exit& failure) {
   vocabulary.approximate(node, "the number of rounds may be any");
   place(label);
   this->node(node.children.front(), repeats ? Exit{} : exit, repeats ? exit : Exit{});
-  Exit again = to(label);
-  again.jump.insert(again.jump.begin(), nextTick(true));
+  Exit again{lasting(nextTick(true))};
+  append(again.jump, to(label).jump);
   test(list(more, "Yes"), again);
   leave(repeats ? success : failure);
   placeUsed(end);

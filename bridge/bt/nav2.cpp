@@ -46,7 +46,7 @@ void Body::anyOrder(const Node& node, bool isSequence, const Exit& success, cons
   const auto again = vocabulary.names.take("again");
   const auto end = success.next() || failure.next() ? vocabulary.names.take("done") : std::string();
   place(again);
-  statements.push_back(list("^", "[0,...["));
+  append(statements, lasting(list("^", "[0,...[")));
   const auto& last = isSequence ? success : failure;
   const auto early = orTo(isSequence ? failure : success, end);
   if (runsOut) test(list(next, "None"), orTo(last, end));
@@ -67,7 +67,7 @@ void Body::rate(const Node& node, const Exit& success, const Exit& failure, cons
   vocabulary.approximate(node, "its child may be ticked at any time");
   Form wait = list("^", "[0,...[");
   wait.comment = vocabulary.comment(node);
-  statements.push_back(std::move(wait));
+  append(statements, lasting(std::move(wait)));
   this->node(node.children.front(), success, failure, skip);
 }
 

@@ -14,13 +14,17 @@ void Body::whileTrue(const Node& node, const Exit& success, const Exit& failure,
   if (traits.isPureInside(node)) return plain(node, success, failure, skip);
   const auto skill = Composites(vocabulary).whileTrue(node, list(variable, "No"));
   const auto at = statements.size();
-  call(skill, traits.endsInside(node), success, failure, skip);
+  statements.push_back(list(skill));
+  append(statements, nextTurn());
+  called(skill, traits.endsInside(node), success, failure, skip);
   commentAt(at, node);
 }
 
 std::string Composites::whileTrue(const Node& node, const Form& until) {
+  const auto turn = std::exchange(vocabulary.turn, std::nullopt);
   Body body(vocabulary);
   body.plain(node, succeed(), fail(), skipped());
+  vocabulary.turn = turn;
   Block statements{list("race", Form(body.statements), Form(Block{list("^", until)}))};
   append(statements, skipped().jump);
   auto name = vocabulary.names.take(wordOf(node));
@@ -66,7 +70,7 @@ void Body::precondition(const Node& node, const Exit& success, const Exit& failu
   case Otherwise::Success: test(list(variable, "No"), orTo(success, end)); break;
   case Otherwise::Failure: test(list(variable, "No"), orTo(failure, end)); break;
   case Otherwise::Skipped: test(list(variable, "No"), *skip); break;
-  case Otherwise::Running: statements.push_back(list("^", list(variable, "Yes"))); break;
+  case Otherwise::Running: append(statements, lasting(list("^", list(variable, "Yes")))); break;
   }
   this->node(node.children.front(), success, failure, skip);
   placeUsed(end);
@@ -94,7 +98,7 @@ void Body::queue(const Node& node, const Exit& success, const Exit& failure, con
   this->node(node.children.front(), {}, orTo(failure, end), to(round));
   placeUsed(round);
   if (elements) statements.push_back(list("set", list(counted, list("+", counted, "1"))));
-  statements.push_back(nextTick(false));
+  append(statements, lasting(nextTick(false)));
   leave(to(again));
   place(empty);
   leave(*otherwise == Otherwise::Success   ? success

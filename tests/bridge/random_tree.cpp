@@ -94,12 +94,13 @@ private:
     return element(tag + ports, text);
   }
 
-  /// Mostly conditions first, then what may run.
+  /// Mostly conditions first, then what may run, which may be several children.
   std::string reactive(int depth) {
     std::string text;
     for (std::size_t i = random.below(3); i > 0; --i) text += guard();
     text += node(depth - 1);
     for (std::size_t i = random.below(2); i > 0; --i) text += guard();
+    if (random.chance(25)) text += node(depth - 1);
     return element(random.chance(50) ? "ReactiveSequence" : "ReactiveFallback", text);
   }
 

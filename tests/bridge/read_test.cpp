@@ -70,8 +70,10 @@ TEST_CASE("errors in a tree have places") {
         "main.xml:3:1: `if_empty` must be SUCCESS, FAILURE or SKIPPED\n");
   CHECK(errorsIn(treeOf("<TryCatch catch_on_halt=\"true\"><A/><B/></TryCatch>")) ==
         "main.xml:3:1: `catch_on_halt` is not supported\n");
-  CHECK(contains(errorsIn(treeOf("<ReactiveSequence><A/><B/></ReactiveSequence>")),
-                 "main.xml:3:1: a `ReactiveSequence` with 2 children that can run"));
+  CHECK(errorsIn(treeOf("<ReactiveSequence><A _skipIf=\"x\"/><RunOnce><B/></RunOnce>"
+                        "</ReactiveSequence>")) ==
+        "main.xml:3:1: a reactive node whose children may all be skipped is only supported with "
+        "one child that can run\n");
 }
 
 TEST_CASE("errors in a file have places") {
@@ -126,7 +128,7 @@ TEST_CASE("a tree without a name, and one of several that is chosen") {
   CHECK(contains(errorsText(importTree(files, "main.xml", Leaves(), {}, "O")), "no tree `O`"));
 }
 
-TEST_CASE("ports that a model does not declare, and leaves that may be conditions, are named") {
+TEST_CASE("ports that a model does not declare are named") {
   const auto model = "</BehaviorTree><TreeNodesModel><Action ID=\"A\">"
                      "<input_port name=\"p\"/></Action><Action ID=\"B\"/></TreeNodesModel>\n";
   const auto imported = importTree(
@@ -137,8 +139,6 @@ TEST_CASE("ports that a model does not declare, and leaves that may be condition
   REQUIRE(imported);
   REQUIRE(imported->summary.size() == 2);
   CHECK(contains(imported->summary[0], "`q` is not a port that `TreeNodesModel` declares for `A`"));
-  CHECK(contains(errorsIn(treeOf("<ReactiveSequence><A/><B/></ReactiveSequence>")),
-                 "; if `A` is a condition, a file of `--leaves` may say so"));
 }
 
 TEST_CASE("trees and files that contain themselves are errors") {

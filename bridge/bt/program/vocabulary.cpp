@@ -13,6 +13,24 @@ std::string keyOf(const Node& node) {
 
 } // namespace
 
+Form Turn::isReached() const { return list("=", reached, std::to_string(child)); }
+
+Form Turn::isHalted() const {
+  Form any = list("or");
+  for (std::size_t i = 0; i + 1 < child; ++i) any.parts.push_back(list("=", runs[i], "1"));
+  return any.parts.size() == 2 ? any.parts.back() : any;
+}
+
+Form Vocabulary::marksBecome(const char* value) const {
+  Form effects(std::vector<Form>{});
+  for (const auto& mark : marks) effects.parts.push_back(list(mark, value));
+  return effects.parts.size() == 1 ? effects.parts.front() : effects;
+}
+
+Form Vocabulary::outcome(const char* tag, bool isMarked) const {
+  return isMarked ? list(tag, list(":effects", marksBecome("0"))) : Form(tag);
+}
+
 Form Vocabulary::command(const Node& node) {
   const auto [known, isNew] = commands.try_emplace(node.id);
   if (isNew) known->second = commandNames.take(node.id);
@@ -75,8 +93,22 @@ std::string Vocabulary::action(const Node& node) {
   skill.comment = comment(node);
   if (const auto interval = leaf.interval(); !interval.empty())
     append(skill.parts, {":time_interval", interval});
-  append(skill.parts, {":action", command(node), ":success", leaf.succeeds ? "done" : "failed"});
-  if (leaf.succeeds && leaf.fails) append(skill.parts, {":failure", "failed"});
+  const bool isMarked = !marks.empty() && !leaf.isInstant();
+  if (isMarked) append(skill.parts, {":start", marksBecome("1")});
+  if (isMarked && turn && !turn->halted.empty())
+    append(skill.parts,
+           {":invariant", list("not_halted", list(":guard", list("not", turn->isHalted()),
+                                                  ":effects", marksBecome("0")))});
+  append(skill.parts, {":action", command(node), ":success"});
+  const auto tagged = [&](const char* tag) {
+    const auto form = outcome(tag, isMarked);
+    append(skill.parts, form.word.empty() ? form.parts : Block{form});
+  };
+  tagged(leaf.succeeds ? "done" : "failed");
+  if (leaf.succeeds && leaf.fails) {
+    skill.parts.emplace_back(":failure");
+    skill.parts.push_back(isMarked ? outcome("failed", true) : Form("failed"));
+  }
   skills.push_back(skill);
   return name;
 }

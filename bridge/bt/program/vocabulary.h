@@ -11,6 +11,22 @@ namespace proskill::bridge::bt {
   return node.name.empty() ? node.id : node.name;
 }
 
+/// A child that can run of a reactive node that has several: it goes on only in a tick that reaches
+/// it, and it is halted when one before it runs on.
+struct Turn {
+  std::string reached; ///< variable: the child that the tick has reached, from 2; 0 otherwise
+  std::string kept;    ///< variable: the child that runs since an earlier tick; `none` if none does
+  std::vector<std::string> runs; ///< a variable for each child: 1 while what takes time runs in it
+  std::size_t child = 1;
+  std::string halted; ///< label: where each part goes that is halted; empty: a race halts them all
+
+  [[nodiscard]] std::string none() const { return std::to_string(runs.size() + 1); }
+  [[nodiscard]] const std::string& runsHere() const { return runs[child - 1]; }
+  [[nodiscard]] Form isReached() const;
+  /// That something runs in a child before this one. If it ends at once, it was not so.
+  [[nodiscard]] Form isHalted() const;
+};
+
 /// The definitions of a program, as they are needed: variables, events, skills.
 class Vocabulary {
 public:
@@ -43,15 +59,24 @@ public:
   const Traits traits;
   NamePool names;
   std::vector<Note> notes;
+  std::vector<Note> remarks; ///< about what may not be meant; verdicts stay exact
   Errors errors;
   std::vector<std::string> undeclared; ///< types of leaves that were taken as actions
   Block properties;
+  std::optional<Turn> turn; ///< of the node that is being translated
+  /// Variables that are 1 while an action or a wait of this node runs.
+  std::vector<std::string> marks;
 
   /// The names of actions, by types of nodes.
   std::map<std::string, std::string> commands;
 
+  /// All marks become 1 or 0. \pre there are some
+  [[nodiscard]] Form marksBecome(const char* value) const;
+
 private:
   std::string declareCondition(const Node& node);
+  /// An outcome of an action, with the end of the marks.
+  [[nodiscard]] Form outcome(const char* tag, bool isMarked) const;
   /// The `:action` of a node: a name for its type, and the values of its ports.
   Form command(const Node& node);
 
