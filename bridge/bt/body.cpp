@@ -98,6 +98,7 @@ void Body::plain(const Node& node, const Exit& success, const Exit& failure, con
   case Kind::Pipeline:
   case Kind::Nonblocking:
   case Kind::PauseResume:
+  case Kind::Own:
   case Kind::WhileDoElse:
   case Kind::Switch:
   case Kind::Timeout:

@@ -39,6 +39,7 @@ Block Composites::bodyOf(const Node& node) {
   case Kind::Pipeline: return pipeline(node);
   case Kind::Nonblocking: return nonblocking(node);
   case Kind::PauseResume: return pauseResume(node);
+  case Kind::Own: return own(node);
   case Kind::WhileDoElse: return whileDoElse(node);
   case Kind::Switch: return choice(node);
   case Kind::ReactiveSequence:

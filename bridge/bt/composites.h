@@ -29,6 +29,8 @@ private:
   Block pipeline(const Node& node);
   Block nonblocking(const Node& node);
   Block pauseResume(const Node& node);
+  Block own(const Node& node);
+  Block tickedAndHalted(const Node& child);
   Block pipelineFrom(const Node& node, std::size_t child);
   Block branches(const Node& node, const Exit& success, const Exit& failure);
   Block whileDoElse(const Node& node);

@@ -38,6 +38,10 @@ std::vector<std::string> summaryOf(const Vocabulary& vocabulary, const Forest& f
   if (!forest.undeclared.empty())
     lines.push_back(fmt::format("not declared in `TreeNodesModel`, taken as actions: {}",
                                 fmt::join(forest.undeclared, ", ")));
+  if (!forest.own.empty())
+    lines.push_back(fmt::format("not built in, taken as control nodes and decorators of the "
+                                "author, which halt their children before they end: {}",
+                                fmt::join(forest.own, ", ")));
   for (const auto* notes : {&forest.notes, &vocabulary.remarks})
     for (const auto& note : *notes)
       lines.push_back(fmt::format("{}: {}", asText(note.place, {}), note.message));

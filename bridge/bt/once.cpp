@@ -77,6 +77,34 @@ void Body::precondition(const Node& node, const Exit& success, const Exit& failu
   commentAt(at, node);
 }
 
+/// Nothing is known of a node that the author of the tree has programmed, but that it halts its
+/// children before it ends.
+Block Composites::own(const Node& node) {
+  vocabulary.approximate(node, "it may tick and halt its children at any time, and end at any time "
+                               "with any result");
+  const auto result =
+      vocabulary.anyOf(wordOf(node) + "_result", {"Success", "Failure"}, vocabulary.comment(node));
+  Form branches = list("//");
+  for (const auto& child : node.children) branches.parts.emplace_back(tickedAndHalted(child));
+  Form end = list("if", list(result, "Success"));
+  append(end.parts, succeed().jump);
+  Block ends{list("^", "[0,...["), end};
+  append(ends, fail().jump);
+  branches.parts.emplace_back(std::move(ends));
+  return {branches};
+}
+
+Block Composites::tickedAndHalted(const Node& child) {
+  const auto again = vocabulary.names.take("again");
+  const auto skips = vocabulary.names.take("skipped");
+  Body body(vocabulary);
+  body.node(child, {}, {}, Exit{{list("goto", skips)}});
+  if (maySkip(child)) body.statements.push_back(list("label", skips));
+  return {list("label", again), list("^", "[0,...["),
+          list("race", Form(body.statements), Form(Block{list("^", "[0,...[")})),
+          list("goto", again)};
+}
+
 /// A round for each element, and a tick between two of them.
 void Body::queue(const Node& node, const Exit& success, const Exit& failure, const Skip& skip) {
   const auto otherwise = otherwiseOf(node);

@@ -35,8 +35,9 @@ bool isAlone(const Node& node, const Traits& traits) {
   const auto running = std::ranges::count_if(
       node.children, [&](const Node& child) { return !traits.isPure(child); });
   if (isReactive && running > 1) return false;
-  const bool isParallel = node.kind == Kind::Parallel || node.kind == Kind::ParallelAll ||
-                          node.kind == Kind::Pipeline || node.kind == Kind::Nonblocking;
+  const bool isParallel = node.kind == Kind::Own || node.kind == Kind::Parallel ||
+                          node.kind == Kind::ParallelAll || node.kind == Kind::Pipeline ||
+                          node.kind == Kind::Nonblocking;
   if (isParallel && running > 1) return false;
   return std::ranges::all_of(node.children,
                              [&](const Node& child) { return isAlone(child, traits); });
@@ -85,6 +86,7 @@ bool isInOrder(const Node& node, const Traits& traits) {
   case Kind::Pipeline:
   case Kind::Nonblocking:
   case Kind::PauseResume:
+  case Kind::Own:
   case Kind::Rate:
   case Kind::SubTree: return false;
   }

@@ -129,10 +129,11 @@ private:
 
   std::string ofNav2(int depth) {
     const auto number = 1 + random.below(3);
-    switch (random.below(7)) {
+    switch (random.below(8)) {
     case 4: return element("PersistentSequence", children(number, depth));
     case 5: return element("NonblockingSequence", children(number, depth));
     case 6: return element("PauseResumeController", children(1 + random.below(4), depth));
+    case 7: return element("Mine", children(1 + random.below(2), depth));
     case 0: return element("RoundRobin", children(number, depth));
     case 1: return element("PipelineSequence", children(number, depth));
     case 2: return element("RateController hz=\"1\"", node(depth - 1));

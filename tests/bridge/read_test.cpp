@@ -51,8 +51,10 @@ TEST_CASE("errors in a tree have places") {
                         "</Sequence>")) == "main.xml:4:3: `Inverter` must have 1 child, not 0\n");
   CHECK(errorsIn(treeOf("<Repeat num_cycles=\"x\"><A/></Repeat>")) ==
         "main.xml:3:1: `Repeat` needs a number of rounds from 1 to 1,000,000, or -1\n");
-  CHECK(errorsIn(treeOf("<Strange><A/></Strange>")) ==
-        "main.xml:3:1: control node or decorator `Strange` is not supported\n");
+  CHECK(errorsIn(treeOf("<PathLongerOnApproach><A/></PathLongerOnApproach>")) ==
+        "main.xml:3:1: `PathLongerOnApproach` is not supported: it ends without halting its "
+        "child\n");
+  CHECK(contains(errorsIn(treeOf("<FallbackStar><A/></FallbackStar>")), "a node of version 2"));
   CHECK(errorsIn(treeOf("<Parallel>\n<A _skipIf=\"x\"/></Parallel>")) ==
         "main.xml:4:1: a node that may be skipped is only supported below a sequence, a fallback, "
         "a `TryCatch` or a loop over a queue\n");
@@ -277,6 +279,16 @@ TEST_CASE("loops over spelt-out queues, RunOnce and TryCatch are exact") {
   CHECK(isExact("<TryCatch><A/><B/><C/></TryCatch>"));
   CHECK_FALSE(isExact("<LoopString queue=\"{all}\" value=\"{x}\"><A/></LoopString>"));
   CHECK_FALSE(isExact("<Sequence><A _while=\"x\"/></Sequence>"));
+}
+
+TEST_CASE("control nodes of the author are approximated, and named") {
+  const MemoryFiles files({{"main.xml", treeOf("<Strange><A/><B/></Strange>")}});
+  const auto imported = importTree(files, "main.xml", Leaves(), {});
+  REQUIRE(imported);
+  CHECK_FALSE(imported->exact);
+  CHECK(imported->summary[1] ==
+        "not built in, taken as control nodes and decorators of the author, which halt their "
+        "children before they end: Strange");
 }
 
 TEST_CASE("types of leaves that differ have actions that differ, and the summary says so") {

@@ -83,6 +83,7 @@ Status Ticker::step(std::size_t n, bool wasRunning) {
   case Kind::Persistent: return persistent(n);
   case Kind::Nonblocking: return nonblocking(n);
   case Kind::PauseResume: return pauseResume(n);
+  case Kind::Own: return own(n);
   case Kind::RunOnce: return runOnce(n);
   case Kind::Precondition: return precondition(n);
   case Kind::Queue: return queue(n);

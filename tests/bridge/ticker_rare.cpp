@@ -59,6 +59,15 @@ void Ticker::switchTo(std::size_t n, int phase) {
   state[n].at = phase;
 }
 
+Status Ticker::own(std::size_t n) {
+  for (const auto child : nodes[n].children) {
+    const auto choice = choices.below(3);
+    if (choice == 1) tick(child);
+    if (choice == 2) halt(child);
+  }
+  return std::array{Status::Running, Status::Success, Status::Failure}.at(choices.below(3));
+}
+
 Status Ticker::runOnce(std::size_t n) {
   const bool skips = nodes[n].node->port("then_skip", "true") == "true";
   if (state[n].at > 0 && skips) return Status::Skipped;

@@ -95,6 +95,8 @@ private:
   /// Its phase: 0 resumed, 1 on pause, 2 paused, 3 on resume; children are in another order.
   Status pauseResume(std::size_t n);
   void switchTo(std::size_t n, int phase);
+  /// Each child is left alone, ticked, or halted; then any result.
+  Status own(std::size_t n);
   Status runOnce(std::size_t n);
   Status precondition(std::size_t n);
   static Status named(const std::string& status);

@@ -31,6 +31,14 @@ const std::string& tag(const Element& element) {
   return isExplicit && id != nullptr ? *id : element.name;
 }
 
+/// Why a control node or a decorator cannot be read as any one of its author; null: it can.
+const char* notSupported(std::string_view type) {
+  if (type == "FallbackStar" || type == "ParallelNode")
+    return "it is a node of version 2, in which a `Sequence` is what a `ReactiveSequence` is now";
+  if (type == "PathLongerOnApproach") return "it ends without halting its child";
+  return nullptr;
+}
+
 std::string children(std::size_t count) {
   return fmt::format("{} child{}", count, count == 1 ? "" : "ren");
 }
@@ -104,11 +112,11 @@ void NodeReader::classifyCustom(const Element& element, Node& node) {
     node.kind = Kind::SubTree;
     return countChildren(element, 0, 0);
   }
-  if (!element.children.empty())
-    return fail(element, fmt::format("control node or decorator `{}` is not supported", node.id));
-  node.kind = Kind::Action;
-  if (std::ranges::find(forest.undeclared, node.id) == forest.undeclared.end())
-    forest.undeclared.push_back(node.id);
+  if (const auto* why = notSupported(node.id))
+    return fail(element, fmt::format("`{}` is not supported: {}", node.id, why));
+  node.kind = element.children.empty() ? Kind::Action : Kind::Own;
+  auto& names = element.children.empty() ? forest.undeclared : forest.own;
+  if (std::ranges::find(names, node.id) == names.end()) names.push_back(node.id);
 }
 
 /// A model without any port is one that nobody has completed.

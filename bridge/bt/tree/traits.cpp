@@ -122,7 +122,8 @@ bool maySkipInside(const Node& node) {
   case Kind::Persistent:
   case Kind::Pipeline:
   case Kind::Nonblocking:
-  case Kind::PauseResume: return false;
+  case Kind::PauseResume:
+  case Kind::Own: return false;
   }
   return false;
 }
@@ -169,6 +170,7 @@ Ends Traits::endsInside(const Node& node) const {
   case Kind::Persistent: return {true, all(node.children).failure};
   case Kind::Nonblocking: return together(node);
   case Kind::PauseResume: return pauseResume(node);
+  case Kind::Own: return {true, true};
   case Kind::Precondition:
   case Kind::Queue: return orElse(node);
   case Kind::TryCatch: return tryCatch(node);
@@ -323,6 +325,7 @@ bool Traits::isPureInside(const Node& node) const {
   case Kind::Pipeline:
   case Kind::Nonblocking:
   case Kind::PauseResume:
+  case Kind::Own:
   case Kind::Rate: return false;
   }
   return false;
@@ -331,7 +334,7 @@ bool Traits::isPureInside(const Node& node) const {
 bool Traits::mayEndAtOnce(const Node& node) const {
   if (isPure(node) || hasPrecondition(node) || maySkip(node)) return true;
   if (node.kind == Kind::RunOnce || node.kind == Kind::Precondition || node.kind == Kind::Queue ||
-      node.kind == Kind::Persistent)
+      node.kind == Kind::Persistent || node.kind == Kind::Own)
     return true;
   if (node.kind == Kind::Action) return leaves.of(node.name, node.id).isInstant();
   return std::ranges::any_of(node.children, [&](const Node& child) { return mayEndAtOnce(child); });

@@ -46,6 +46,7 @@ enum class Kind : std::uint8_t {
   Nonblocking,
   PauseResume,
   Rate, // a decorator that ticks its child less often
+  Own,  // a control node or a decorator of the tree's author
   SubTree,
 };
 
@@ -91,6 +92,7 @@ struct Forest {
   std::vector<Note> notes;             ///< about what may be an error
   bool hasFormat = true;               ///< each file says that it is of version 4
   std::vector<std::string> undeclared; ///< types of leaves that were taken as actions
+  std::vector<std::string> own;        ///< types of control nodes and decorators of its author
 };
 
 } // namespace proskill::bridge::bt
