@@ -31,7 +31,7 @@ private:
   Block pauseResume(const Node& node);
   Block own(const Node& node);
   Block tickedAndHalted(const Node& child);
-  Block pipelineFrom(const Node& node, std::size_t child);
+  Block pipelineBranch(const Node& node, std::size_t child, const std::string& passed);
   Block branches(const Node& node, const Exit& success, const Exit& failure);
   Block whileDoElse(const Node& node);
   Block choice(const Node& node);

@@ -71,28 +71,36 @@ void Body::rate(const Node& node, const Exit& success, const Exit& failure, cons
   this->node(node.children.front(), success, failure, skip);
 }
 
-Block Composites::pipeline(const Node& node) {
-  if (node.children.size() > 1)
-    vocabulary.approximate(node, "a child that has succeeded is ticked again at any time");
-  return pipelineFrom(node, 0);
-}
-
 /// A child runs again and again. From its first success on, the following ones run beside it.
-Block Composites::pipelineFrom(const Node& node, std::size_t child) {
+Block Composites::pipeline(const Node& node) {
+  const auto last = node.children.size() - 1;
   Body body(vocabulary);
-  if (child + 1 == node.children.size()) {
-    body.node(node.children[child], succeed(), fail());
+  if (last == 0) {
+    body.node(node.children.front(), succeed(), fail());
     return body.statements;
   }
-  const auto passed = vocabulary.counter(node, fmt::format("_passed_{}", child + 1), 1);
+  vocabulary.approximate(node, "a child that has succeeded is ticked again at any time");
+  const auto passed = vocabulary.counter(node, "_passed", static_cast<std::int64_t>(last));
+  Form branches = list("//");
+  for (std::size_t i = 0; i < last; ++i)
+    branches.parts.emplace_back(pipelineBranch(node, i, passed));
+  Block end{list("^", list("=", passed, std::to_string(last)))};
+  body.node(node.children.back(), succeed(), fail());
+  append(end, body.statements);
+  branches.parts.emplace_back(std::move(end));
+  return {list("set", list(passed, "0")), branches};
+}
+
+Block Composites::pipelineBranch(const Node& node, std::size_t child, const std::string& passed) {
+  Body body(vocabulary);
+  if (child > 0) body.statements.push_back(list("^", list(">=", passed, std::to_string(child))));
   const auto again = vocabulary.names.take("again");
   body.statements.push_back(list("label", again));
   body.node(node.children[child], {}, fail());
-  append(body.statements,
-         {list("set", list(passed, "1")), body.nextTick(true), list("goto", again)});
-  Block rest{list("^", list("=", passed, "1"))};
-  append(rest, pipelineFrom(node, child + 1));
-  return {list("set", list(passed, "0")), list("//", Form(body.statements), Form(rest))};
+  body.statements.push_back(list("if", list("=", passed, std::to_string(child)),
+                                 list("set", list(passed, std::to_string(child + 1)))));
+  append(body.statements, {body.nextTick(true), list("goto", again)});
+  return body.statements;
 }
 
 /// All children are ticked at each tick, also those that have succeeded, until all succeed at once.

@@ -334,7 +334,7 @@ TEST_CASE("a tree of Nav2 is imported, with its own nodes and conditions") {
         "not declared in `TreeNodesModel`, taken as actions: ComputePath, FollowPath, Spin, Wait");
   CHECK(contains(imported->text, "(defsv GoalUpdated\n"));
   CHECK(contains(imported->text, "(if (>= Navigate_retries 6)"));
-  CHECK(contains(imported->text, "(^ (= WithReplanning_passed_1 1))"));
+  CHECK(contains(imported->text, "(^ (= WithReplanning_passed 1))"));
   CHECK(errorsIn(treeOf("<RecoveryNode number_of_retries=\"x\"><A/><B/></RecoveryNode>")) ==
         "main.xml:3:1: `number_of_retries` must be a number from 0 to 1,000,000\n");
 }
