@@ -114,7 +114,8 @@ void Body::composite(const Node& node, const Exit& success, const Exit& failure,
   const auto at = statements.size();
   statements.push_back(list(skill));
   if (!passes) append(statements, nextTurn());
-  called(skill, traits.endsInside(node), success, failure, skip);
+  called(skill, traits.endsInside(node), success, failure, skip,
+         node.kind == Kind::ReactiveFallback);
   commentAt(at, node);
 }
 
@@ -143,14 +144,18 @@ void Body::action(const Node& node, const Exit& success, const Exit& failure) {
 }
 
 void Body::called(const std::string& skill, Ends ends, const Exit& success, const Exit& failure,
-                  const Skip& skip) {
+                  const Skip& skip, bool byGuard) {
   if (skip) test(list("=", skill + ".res", "skipped"), *skip);
   if (!ends.success && !ends.failure) return;
   if (success == failure) return leave(success);
   if (!ends.failure) return leave(success);
   if (!ends.success) return leave(failure);
-  if (failure.next()) return test(list("=", skill + ".status", "success"), success);
-  test(list("/=", skill + ".status", "success"), failure);
+  const auto status = [&](bool succeeds) {
+    return list(succeeds == byGuard ? "/=" : "=", skill + ".status",
+                byGuard ? "failure" : "success");
+  };
+  if (failure.next()) return test(status(true), success);
+  test(status(false), failure);
   leave(success);
 }
 

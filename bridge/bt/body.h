@@ -54,8 +54,9 @@ private:
   void action(const Node& node, const Exit& success, const Exit& failure);
   void composite(const Node& node, const Exit& success, const Exit& failure, const Skip& skip);
   /// What follows the call of a skill.
+  /// \param byGuard whether it succeeds where its guard ends it
   void called(const std::string& skill, Ends ends, const Exit& success, const Exit& failure,
-              const Skip& skip);
+              const Skip& skip, bool byGuard = false);
   /// A child of a sequence or a fallback; after it and where it is skipped, control is at `goOn`.
   void child(const Node& child, bool isSequence, const Exit& goOn, const Exit& early);
   void inOrder(const Node& node, bool isSequence, const Exit& success, const Exit& failure,

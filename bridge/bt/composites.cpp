@@ -22,13 +22,21 @@ bool needsWatching(const Node& reactive, const Traits& traits) {
   return running > 1 || (running == 1 && guards > 0);
 }
 
+bool isWatching(const Node& node, const Traits& traits) {
+  const bool isReactive =
+      node.kind == Kind::ReactiveSequence || node.kind == Kind::ReactiveFallback;
+  return isReactive && std::ranges::count_if(node.children, [&](const Node& child) {
+                         return !traits.isPure(child);
+                       }) == 1;
+}
+
 std::string Composites::of(const Node& node) {
   auto name = vocabulary.names.take(wordOf(node));
   const auto turn = vocabulary.turn;
   if (!passesTurn(node.kind)) vocabulary.turn.reset();
   auto body = bodyOf(node);
   vocabulary.turn = turn;
-  vocabulary.composite(name, vocabulary.comment(node), std::move(body));
+  vocabulary.composite(name, vocabulary.comment(node), std::move(body), guard);
   return name;
 }
 
@@ -125,31 +133,22 @@ Block Composites::choice(const Node& node) {
 Block Composites::reactive(const Node& node) {
   const bool isSequence = node.kind == Kind::ReactiveSequence;
   const auto guards = guardsOf(node, traits);
-  const auto running = std::ranges::count_if(
-      node.children, [&](const Node& child) { return !traits.isPure(child); });
   const auto early = isSequence ? fail() : succeed();
   const auto late = isSequence ? succeed() : fail();
-  Body first(vocabulary);
-  for (std::size_t i = 0; i < guards; ++i)
-    first.node(node.children[i], isSequence ? Exit{} : early, isSequence ? early : Exit{});
   Node rest{isSequence ? Kind::Sequence : Kind::Fallback, node.id, node.name, node.place, {}, {}};
   rest.children.assign(node.children.begin() + static_cast<std::ptrdiff_t>(guards),
                        node.children.end());
-  const auto until = Guard(vocabulary).ofAll(node, guards, !isSequence, true);
-  auto statements = std::move(first.statements);
-  append(statements,
-         running > 1 ? inTurn(rest, early, late, until) : onlyOne(rest, early, late, until));
-  return statements;
+  const auto goesOn = Guard(vocabulary).ofAll(node, guards, !isSequence, false);
+  if (goesOn != Form("true")) guard = goesOn;
+  return isWatching(node, traits) ? onlyOne(rest, early, late) : inTurn(rest, early, late);
 }
 
-/// Both ways out of the race continue after it, so that the skill has one place for each.
-Block Composites::onlyOne(const Node& rest, const Exit& early, const Exit& late,
-                          const Form& until) {
+Block Composites::onlyOne(const Node& rest, const Exit& early, const Exit& late) {
   const bool isSequence = rest.kind == Kind::Sequence;
-  auto statements = watched(rest, isSequence ? late : Exit{}, isSequence ? Exit{} : late, until,
-                            maySkip(rest) ? late : Skip());
-  append(statements, early.jump);
-  return statements;
+  Body body(vocabulary);
+  body.node(rest, isSequence ? late : early, isSequence ? early : late,
+            maySkip(rest) ? late : Skip());
+  return body.statements;
 }
 
 std::vector<std::vector<const Node*>> branchesOf(const Node& node, const Traits& traits) {

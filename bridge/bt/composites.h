@@ -7,6 +7,9 @@ namespace proskill::bridge::bt {
 /// Whether a reactive node has children after the conditions that it tests at each tick.
 [[nodiscard]] bool needsWatching(const Node& reactive, const Traits& traits);
 
+/// Whether a node is reactive, and only one of its children can run.
+[[nodiscard]] bool isWatching(const Node& node, const Traits& traits);
+
 /// Whether the parts of a node that takes time wait for their turn themselves, so that the node
 /// need not.
 [[nodiscard]] bool passesTurn(Kind kind);
@@ -38,9 +41,9 @@ private:
   Block reactive(const Node& node);
   /// The rest of a reactive node after the conditions that it begins with: a wait for the end of
   /// the child that can run.
-  Block onlyOne(const Node& rest, const Exit& early, const Exit& late, const Form& until);
+  Block onlyOne(const Node& rest, const Exit& early, const Exit& late);
   /// The same where several children can run: a branch for each.
-  Block inTurn(const Node& rest, const Exit& early, const Exit& late, const Form& until);
+  Block inTurn(const Node& rest, const Exit& early, const Exit& late);
   Block branchInTurn(const Node& part, Turn turn, const Exit& early, const Exit& late);
   Block inTurnOnce(const Node& part, const Turn& turn, const Exit& early, const Block& after);
   Block betweenTicks(const Turn& turn);
@@ -53,6 +56,7 @@ private:
 
   Vocabulary& vocabulary;
   const Traits& traits;
+  std::optional<Form> guard; ///< of the skill: the conditions that a reactive node begins with
 };
 
 /// The children of a parallel node by branch. A condition is tested in the branch of the next child

@@ -137,7 +137,7 @@ Block Body::nextTurn() const {
           list("if", list("not", turn->isReached()), list("goto", turn->halted))};
 }
 
-Block Composites::inTurn(const Node& rest, const Exit& early, const Exit& late, const Form& until) {
+Block Composites::inTurn(const Node& rest, const Exit& early, const Exit& late) {
   if (maySkip(rest))
     vocabulary.fail(rest, "a reactive node whose children may all be skipped is only supported "
                           "with one child that can run");
@@ -150,10 +150,6 @@ Block Composites::inTurn(const Node& rest, const Exit& early, const Exit& late, 
     if (turn.child < parts.size()) startsAgain(part.children.front());
     branches.parts.emplace_back(branchInTurn(part, turn, early, late));
     ++turn.child;
-  }
-  if (until != "false") {
-    branches.parts.emplace_back(Block{list("^", until)});
-    append(branches.parts.back().parts, early.jump);
   }
   Form start = list(becomes(turn.reached, "0"), becomes(turn.kept, turn.none()));
   for (const auto& runs : turn.runs) start.parts.push_back(becomes(runs, "0"));

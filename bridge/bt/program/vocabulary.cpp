@@ -47,9 +47,7 @@ std::string Vocabulary::condition(const Node& node) {
 }
 
 std::string Vocabulary::watched(const Node& node) {
-  const auto shared = condition(node);
-  if (!leaves.of(node.name, node.id).changes || watchedOnes.insert(shared).second) return shared;
-  return declareCondition(node);
+  return leaves.of(node.name, node.id).changes ? declareCondition(node) : condition(node);
 }
 
 std::string Vocabulary::declareCondition(const Node& node) {
@@ -113,9 +111,11 @@ std::string Vocabulary::action(const Node& node) {
   return name;
 }
 
-void Vocabulary::composite(const std::string& name, const std::string& comment, Block body) {
+void Vocabulary::composite(const std::string& name, const std::string& comment, Block body,
+                           const std::optional<Form>& guard) {
   Form skill = list("defskill", name);
   skill.comment = comment;
+  if (guard) append(skill.parts, {":invariant", list("watched", list(":guard", *guard))});
   const Form statements(std::move(body));
   if (contains(statements, list("success", "done"))) append(skill.parts, {":success", "done"});
   const bool fails = contains(statements, list("failure", "failed"));

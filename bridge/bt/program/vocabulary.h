@@ -45,7 +45,9 @@ public:
   /// The basic skill of an action.
   std::string action(const Node& node);
   /// Adds a composite skill, with the outcomes that its body has.
-  void composite(const std::string& name, const std::string& comment, Block body);
+  /// \param guard ends the skill as soon as it is false; empty: none
+  void composite(const std::string& name, const std::string& comment, Block body,
+                 const std::optional<Form>& guard = {});
   void approximate(const Node& node, std::string message);
   void fail(const Node& node, std::string message);
 
@@ -82,7 +84,6 @@ private:
 
   std::map<std::string, std::string> conditions; ///< by type and ports
   NamePool commandNames;
-  std::set<std::string> watchedOnes; ///< variables
   Block variables;
   Block skills;
 };
