@@ -144,10 +144,15 @@ Block Composites::inTurn(const Node& rest, const Exit& early, const Exit& late) 
   const auto parts = partsOf(rest, traits);
   auto turn = turnOf(rest, parts.size());
   Form branches = list("//");
+  bool isReachable = true; // by the ticks after the one that has started it
   for (const auto& part : parts) {
+    const auto& child = part.children.front();
+    if (!isReachable) vocabulary.approximate(child, "its actions may end although no tick sees it");
     if (!isAlone(part, traits))
-      vocabulary.approximate(part.children.front(), "its parts may end in any order in a tick");
-    if (turn.child < parts.size()) startsAgain(part.children.front());
+      vocabulary.approximate(child, "its parts may end in any order in a tick");
+    if (turn.child < parts.size()) startsAgain(child);
+    const auto atOnce = traits.endsAtOnce(child);
+    isReachable = isReachable && (part.kind == Kind::Sequence ? atOnce.success : atOnce.failure);
     branches.parts.emplace_back(branchInTurn(part, turn, early, late));
     ++turn.child;
   }

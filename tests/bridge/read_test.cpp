@@ -182,6 +182,9 @@ TEST_CASE("nodes that are nested deeply are imported without trying all ways thr
                                     {"<ParallelAll>", "<B/></ParallelAll>"},
                                     {"<RecoveryNode>", "<B/></RecoveryNode>"},
                                     {"<TryCatch>", "<B/></TryCatch>"},
+                                    {"<ReactiveSequence>", "<B/></ReactiveSequence>"},
+                                    {"<ReactiveFallback><B/>", "</ReactiveFallback>"},
+                                    {"<Mine>", "<B/></Mine>"},
                                     {"<PauseResumeController>", "<B/></PauseResumeController>"}}) {
     INFO(open);
     std::string before;

@@ -57,7 +57,7 @@ TEST_CASE("a child after one that takes time is halted at each tick, so that it 
       R"({"leaves": {"a0": {"duration": [2, 5]}, "a1": {"duration": [1, 3]}}})";
   const std::string actions = "<A name=\"a0\"/><A name=\"a1\"/>";
   const auto reactive = bothOf("<ReactiveSequence>" + actions + "</ReactiveSequence>", slow);
-  CHECK(reactive.imported.exact);
+  CHECK_FALSE(reactive.imported.exact); // `a1` may end by itself, which no tick sees
   CHECK_FALSE(reactive.verified.success);
   CHECK(reactive.verified.together == kTogether);
   CHECK(bothOf("<Sequence>" + actions + "</Sequence>", slow).verified.success);
@@ -69,7 +69,7 @@ TEST_CASE("a child that a condition lets pass does not halt the one that runs") 
   const auto both = bothOf("<ReactiveSequence><Fallback><Condition ID=\"Full\"/><A name=\"a0\"/>"
                            "</Fallback><A name=\"a1\"/></ReactiveSequence>",
                            slow);
-  CHECK(both.imported.exact);
+  CHECK(both.imported.exact); // `Full` may be true, which takes no time
   CHECK(both.verified.success);
   CHECK(both.verified.together == kTogether);
 }

@@ -331,6 +331,33 @@ bool Traits::isPureInside(const Node& node) const {
   return false;
 }
 
+Ends Traits::endsAtOnce(const Node& node) const {
+  if (hasPrecondition(node)) return {};
+  if (isPure(node)) return ends(node);
+  if (node.kind == Kind::Action)
+    return leaves.of(node.name, node.id).least == "0" ? leafEnds(node) : Ends{};
+  if (node.kind == Kind::Sequence || node.kind == Kind::Fallback) return inOrderAtOnce(node);
+  if (node.children.size() != 1) return {};
+  const auto child = endsAtOnce(node.children.front());
+  if (node.kind == Kind::SubTree) return child;
+  if (node.kind == Kind::Inverter) return inverted(child);
+  if (node.kind == Kind::ForceSuccess) return {isEnding(child), false};
+  if (node.kind == Kind::ForceFailure) return {false, isEnding(child)};
+  return {};
+}
+
+Ends Traits::inOrderAtOnce(const Node& node) const {
+  const bool isSequence = node.kind == Kind::Sequence;
+  bool goesOn = true;
+  bool endsEarly = false;
+  for (std::size_t i = 0; i < node.children.size() && goesOn; ++i) {
+    const auto child = endsAtOnce(node.children[i]);
+    endsEarly = endsEarly || (isSequence ? child.failure : child.success);
+    goesOn = isSequence ? child.success : child.failure;
+  }
+  return isSequence ? Ends{goesOn, endsEarly} : Ends{endsEarly, goesOn};
+}
+
 bool Traits::mayEndAtOnce(const Node& node) const {
   if (isPure(node) || hasPrecondition(node) || maySkip(node)) return true;
   if (node.kind == Kind::RunOnce || node.kind == Kind::Precondition || node.kind == Kind::Queue ||

@@ -25,10 +25,13 @@ public:
   [[nodiscard]] bool isPure(const Node& node) const;
   /// The same without regard to its own preconditions.
   [[nodiscard]] bool isPureInside(const Node& node) const;
+  /// With what it surely can end in the tick that starts it.
+  [[nodiscard]] Ends endsAtOnce(const Node& node) const;
   /// Whether it may end in the tick that starts it although no action ends in that tick.
   [[nodiscard]] bool mayEndAtOnce(const Node& node) const;
 
 private:
+  [[nodiscard]] Ends inOrderAtOnce(const Node& node) const;
   [[nodiscard]] Ends leafEnds(const Node& node) const;
   [[nodiscard]] Ends all(std::span<const Node> inOrder) const;
   [[nodiscard]] Ends any(const Node& node) const;
