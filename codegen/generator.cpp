@@ -9,6 +9,20 @@
 
 namespace proskill::codegen {
 
+std::expected<PlatformInterface, GenerationError>
+platformInterface(const analysis::Program& program, const Options& options) {
+  const auto plan = makeGenerationPlan(program, options);
+  if (!plan) return std::unexpected(plan.error());
+  PlatformInterface made{{}, signalsOf(program, *plan)};
+  for (const auto& skill : plan->skills) {
+    if (skill.body) continue;
+    auto& performed = made.performed.emplace_back();
+    performed.skill = skill.name();
+    performed.results = resultsOf(skill);
+  }
+  return made;
+}
+
 std::expected<Model, GenerationError> generate(const analysis::Program& program,
                                                const Options& options) {
   auto plan = makeGenerationPlan(program, options);

@@ -134,15 +134,19 @@ struct Obliged {
   std::string description; ///< "`drive`"
 };
 
+/// Executed: what a program expects of its platform.
+struct PlatformInterface {
+  std::vector<Performed> performed;
+  std::vector<Signal> signals; ///< all of the program, whatever causes them
+};
+
 /// The meaning of a program. One time unit of the model is numerator/denominator seconds.
-struct Model {
+struct Model : PlatformInterface {
   fiacre::Program fiacre;
   fiacre::Provenance provenance;
   std::vector<Check> checks;           ///< executed edition: of the program's own properties only
   std::vector<ActionCall> actionCalls; ///< in the runtime and executed editions
-  std::vector<Performed> performed;
   std::vector<Measured> measured;
-  std::vector<Signal> signals; ///< all of the program, whatever causes them
   std::map<fiacre::OriginId, Alarm> alarms;
   std::map<fiacre::OriginId, std::vector<MessagePart>> messages; ///< executed edition
   std::string missionProcess; ///< executed edition; empty: no mission
@@ -166,6 +170,11 @@ struct GenerationError {
   std::string message;
   analysis::Location location;
 };
+
+/// The same as in the model, but only with names: without processes, ports and times. Much faster
+/// than a model. \pre the program has no errors
+[[nodiscard]] std::expected<PlatformInterface, GenerationError>
+platformInterface(const analysis::Program& program, const Options& options = {});
 
 /// The model of a program. \pre the program has no errors
 [[nodiscard]] std::expected<Model, GenerationError> generate(const analysis::Program& program,

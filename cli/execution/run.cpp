@@ -124,10 +124,10 @@ private:
     makeExecutable(!said);
     auto settings = defaultSettings(*executable);
     if (platformText)
-      if (auto wrong = readPlatform(*platformText, *executable, settings))
+      if (auto wrong = readPlatform(*platformText, executable->model, settings))
         return fail(arguments.platform + ":" + *wrong);
     if (scriptText)
-      if (auto wrong = readScript(*scriptText, *executable, settings))
+      if (auto wrong = readScript(*scriptText, executable->model, settings))
         return fail(arguments.script + ":" + *wrong);
     const auto platform = simulatedPlatform(std::move(settings), arguments.seed + 1);
     isSimulation = true;
@@ -147,7 +147,7 @@ private:
   int runOnLibrary(const std::string& text) {
     runtime::LibrarySettings settings;
     prepareForProcess(settings.process);
-    if (const auto wrong = readLibraryPlatform(text, *executable, settings))
+    if (const auto wrong = readLibraryPlatform(text, executable->model, settings))
       return fail(arguments.platform + ":" + *wrong);
     auto& process = settings.process;
     process.name = "the process of the library";
@@ -165,7 +165,8 @@ private:
     if (arguments.clock != "real" && !arguments.clock.empty())
       return fail("`--clock` must be real: ROS takes real time");
     const auto library = ros == runtime::Ros::Two ? ddsLibrary() : std::string();
-    if (const auto wrong = readRosPlatform(text, ros, program, *executable, settings, library))
+    if (const auto wrong =
+            readRosPlatform(text, ros, program, executable->model, settings, library))
       return wrong->skill.empty() ? fail(arguments.platform + ":" + wrong->why)
                                   : failUnusable(*wrong, arguments.platform);
     if (ros == runtime::Ros::Two && library.empty())

@@ -39,10 +39,12 @@ void ExecutedAction::addTo(fiacre::Process& process) {
 /// The results that the action may return; any other counts as an interruption.
 std::vector<Statement> ExecutedAction::results() {
   std::vector<Statement> all;
+  made.results = resultsOf(skill);
+  auto result = made.results.begin();
   for (const auto& outcome : outcomesOf(skill)) {
-    const auto& port = context.names.foreign({skill.name(), outcome.status, outcome.tag.text});
-    made.results.push_back({outcome.status, std::string(outcome.tag.text), port});
-    all.push_back(sequence({synchronise(port), frame.outcome(outcome)}));
+    result->port = context.names.foreign({skill.name(), outcome.status, outcome.tag.text});
+    all.push_back(sequence({synchronise(result->port), frame.outcome(outcome)}));
+    ++result;
   }
   const auto words =
       frame.origin(skill.skill().name.range, "its action ends without a known result");
@@ -77,13 +79,49 @@ Statement ExecutedAction::breakOff(Statement trigger, const std::string& reason,
   return sequence({std::move(trigger), at(words, to(state))});
 }
 
+std::vector<Performed::Result> resultsOf(const SkillPlan& skill) {
+  std::vector<Performed::Result> results;
+  for (const auto& outcome : outcomesOf(skill))
+    results.push_back({outcome.status, std::string(outcome.tag.text), ""});
+  return results;
+}
+
+std::vector<Signal> signalsOf(const analysis::Program& program, const GenerationPlan& plan) {
+  std::vector<Signal> signals;
+  for (const auto& skill : plan.skills)
+    if (skill.skill().interrupt) signals.push_back({std::string(skill.name()), true, ""});
+  for (const auto& event : program.events.all)
+    signals.push_back({std::string(event.name()), false, "", event->guard.has_value()});
+  return signals;
+}
+
+namespace {
+
+void tellEvent(Context& context, Signal& signal, Model& model) {
+  const auto& event = *context.program.events.find(signal.name);
+  signal.port = context.names.event(event.name());
+  if (!event->every) return;
+  signal.every = context.times.interval(*event->every);
+  signal.everyOrigin = context.origins.of({signal.name, event.file}, event->every->range, "comes");
+  if (comesByItself(context, event.node()))
+    model.drawnProcesses.push_back(context.names.process({"event", event.name(), "automata"}));
+}
+
+void tellSignals(Context& context, Model& model) {
+  model.signals = signalsOf(context.program, context.plan);
+  for (auto& signal : model.signals)
+    if (signal.interrupts)
+      signal.port = context.names.interruptPort(signal.name);
+    else
+      tellEvent(context, signal, model);
+}
+
+} // namespace
+
 void tellExecutor(Context& context, Model& model) {
   for (auto& action : context.performed)
     action.numberCell = fiacre::printLvalue(context.cellField(action.skill, "ArgIndex"));
   for (const auto& skill : context.plan.skills) {
-    if (skill.skill().interrupt)
-      model.signals.push_back(
-          {std::string(skill.name()), true, context.names.interruptPort(skill.name())});
     const auto& interval = skill.skill().timeInterval;
     if (!skill.body || !interval) continue;
     model.measured.push_back(
@@ -91,18 +129,7 @@ void tellExecutor(Context& context, Model& model) {
          context.times.interval(*interval),
          context.origins.of(actorOf(skill), interval->range, "takes its time")});
   }
-  for (const auto& event : context.program.events.all) {
-    auto& signal = model.signals.emplace_back();
-    signal.name = event.name();
-    signal.port = context.names.event(event.name());
-    signal.guarded = event->guard.has_value();
-    if (!event->every) continue;
-    signal.every = context.times.interval(*event->every);
-    signal.everyOrigin =
-        context.origins.of({signal.name, event.file}, event->every->range, "comes");
-    if (comesByItself(context, event.node()))
-      model.drawnProcesses.push_back(context.names.process({"event", event.name(), "automata"}));
-  }
+  tellSignals(context, model);
   if (context.plan.mission)
     model.missionProcess = context.names.process({"skill", context.plan.mission->name()});
   if (context.options.environment && context.plan.environment) {

@@ -28,6 +28,13 @@ private:
   std::vector<std::pair<std::string, Ending>> stopping; ///< states, and how the skill ends in them
 };
 
+/// The results that the action of a basic skill may have, without their ports.
+[[nodiscard]] std::vector<Performed::Result> resultsOf(const SkillPlan& skill);
+
+/// The signals of a program, without their ports and intervals.
+[[nodiscard]] std::vector<Signal> signalsOf(const analysis::Program& program,
+                                            const GenerationPlan& plan);
+
 /// Fills in what an executor needs besides the model's tree. \pre the tree was built
 void tellExecutor(Context& context, Model& model);
 

@@ -66,8 +66,8 @@ void addRos2(Json& made, const Json& file, const std::string& library) {
 
 class RosReader {
 public:
-  RosReader(const analysis::Program& of, const Executable& with, Ros kind)
-      : program(of), executable(with), ros(kind) {}
+  RosReader(const analysis::Program& of, const codegen::PlatformInterface& with, Ros kind)
+      : program(of), interface(with), ros(kind) {}
 
   /// \return the mapping in terms of the adapter: positions of arguments, names of events
   Json platform(const Json& file, const std::string& library) {
@@ -82,7 +82,7 @@ public:
     if (ros == Ros::Two) addRos2(made, file, library);
     for (const auto& [skill, value] : objectAt(file, "actions"))
       made["actions"][skill] = rosAction(program, performedNamed(skill), value, ros);
-    for (const auto& performed : executable.model.performed)
+    for (const auto& performed : interface.performed)
       if (!made["actions"].contains(performed.skill))
         throw WrongSkill{"the platform file has no action for `" + performed.skill + "`",
                          performed.skill};
@@ -92,7 +92,7 @@ public:
 
 private:
   [[nodiscard]] const codegen::Performed& performedNamed(const std::string& name) const {
-    const auto& all = executable.model.performed;
+    const auto& all = interface.performed;
     const auto found = std::ranges::find(all, name, &codegen::Performed::skill);
     if (found != all.end()) return *found;
     std::vector<std::string> names;
@@ -101,7 +101,7 @@ private:
   }
 
   const analysis::Program& program;
-  const Executable& executable;
+  const codegen::PlatformInterface& interface;
   Ros ros;
 };
 
@@ -109,10 +109,10 @@ private:
 
 std::optional<Unusable> readRosPlatform(std::string_view text, Ros ros,
                                         const analysis::Program& program,
-                                        const Executable& executable, ProcessSettings& settings,
-                                        const std::string& library) {
+                                        const codegen::PlatformInterface& interface,
+                                        ProcessSettings& settings, const std::string& library) {
   const auto read = [&](const Json& file) {
-    auto mapping = RosReader(program, executable, ros).platform(file, library);
+    auto mapping = RosReader(program, interface, ros).platform(file, library);
     readLife(file, settings);
     mapping["startup"] = static_cast<double>(settings.startup) / static_cast<double>(kSecond);
     settings.settings = mapping.dump();

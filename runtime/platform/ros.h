@@ -14,7 +14,7 @@ namespace proskill::runtime {
 /// skill. \param library of ROS 2: the shared library with which the adapter reaches DDS
 [[nodiscard]] std::optional<Unusable> readRosPlatform(std::string_view text, Ros ros,
                                                       const analysis::Program& program,
-                                                      const Executable& executable,
+                                                      const codegen::PlatformInterface& interface,
                                                       ProcessSettings& settings,
                                                       const std::string& library = "");
 

@@ -11,7 +11,8 @@ namespace {
 
 class Reader {
 public:
-  Reader(const Executable& of, SimulationSettings& to) : executable(of), settings(to) {}
+  Reader(const codegen::PlatformInterface& of, SimulationSettings& to)
+      : interface(of), settings(to) {}
 
   void platform(const Json& file) {
     allowMembers(file, {"kind", "$schema", "actions", "events", "interrupts"}, "the platform");
@@ -39,7 +40,7 @@ public:
 
 private:
   [[nodiscard]] std::uint32_t actionNamed(const std::string& name) const {
-    const auto& all = executable.model.performed;
+    const auto& all = interface.performed;
     const auto found = std::ranges::find(all, name, &codegen::Performed::skill);
     if (found == all.end()) {
       std::vector<std::string> names;
@@ -50,7 +51,7 @@ private:
   }
 
   [[nodiscard]] std::uint32_t signal(const std::string& name, bool interrupts) const {
-    const auto& all = executable.model.signals;
+    const auto& all = interface.signals;
     std::vector<std::string> names;
     for (std::uint32_t i = 0; i < all.size(); ++i) {
       if (all[i].interrupts != interrupts) continue;
@@ -61,13 +62,13 @@ private:
   }
 
   [[nodiscard]] std::uint32_t resultNamed(std::uint32_t action, const std::string& name) const {
-    const auto& all = executable.model.performed[action].results;
+    const auto& all = interface.performed[action].results;
     std::vector<std::string> names;
     for (std::uint32_t i = 0; i < all.size(); ++i) {
       if (resultName(all[i]) == name) return i;
       names.push_back(resultName(all[i]));
     }
-    throwUnknown("result of `" + executable.model.performed[action].skill + "`", name, names);
+    throwUnknown("result of `" + interface.performed[action].skill + "`", name, names);
   }
 
   void action(const std::string& name, const Json& value) {
@@ -118,7 +119,7 @@ private:
     return {secondsOf(value["at"], "at"), signal(stringAt(value, key), interrupts)};
   }
 
-  const Executable& executable;
+  const codegen::PlatformInterface& interface;
   SimulationSettings& settings;
 };
 
@@ -135,7 +136,8 @@ void processSettings(const Json& file, ProcessSettings& settings) {
   readLife(file, settings);
 }
 
-void librarySettings(const Json& file, const Executable& executable, LibrarySettings& settings) {
+void librarySettings(const Json& file, const codegen::PlatformInterface& interface,
+                     LibrarySettings& settings) {
   allowMembers(file,
                {"kind", "$schema", "library", "functions", "startup", "restarts", "restart_delay"},
                "the platform");
@@ -144,7 +146,7 @@ void librarySettings(const Json& file, const Executable& executable, LibrarySett
   if (settings.library.empty())
     throw Wrong{"`library` must be the file of a shared library", &file["library"]};
   std::vector<std::string> skills;
-  for (const auto& performed : executable.model.performed) skills.push_back(performed.skill);
+  for (const auto& performed : interface.performed) skills.push_back(performed.skill);
   for (const auto& [skill, function] : objectAt(file, "functions")) {
     if (std::ranges::find(skills, skill) == skills.end())
       throwUnknown("basic skill", skill, skills);
@@ -169,24 +171,27 @@ void readLife(const Json& file, ProcessSettings& settings) {
   settings.restarts = restarts.get<unsigned>();
 }
 
-std::optional<std::string> readPlatform(std::string_view text, const Executable& executable,
+std::optional<std::string> readPlatform(std::string_view text,
+                                        const codegen::PlatformInterface& interface,
                                         SimulationSettings& settings) {
-  return readFile(text, [&](const Json& file) { Reader(executable, settings).platform(file); });
+  return readFile(text, [&](const Json& file) { Reader(interface, settings).platform(file); });
 }
 
-std::optional<std::string> readScript(std::string_view text, const Executable& executable,
+std::optional<std::string> readScript(std::string_view text,
+                                      const codegen::PlatformInterface& interface,
                                       SimulationSettings& settings) {
-  return readFile(text, [&](const Json& file) { Reader(executable, settings).script(file); });
+  return readFile(text, [&](const Json& file) { Reader(interface, settings).script(file); });
 }
 
 std::optional<std::string> readProcessPlatform(std::string_view text, ProcessSettings& settings) {
   return readFile(text, [&](const Json& file) { processSettings(file, settings); });
 }
 
-std::optional<std::string> readLibraryPlatform(std::string_view text, const Executable& executable,
+std::optional<std::string> readLibraryPlatform(std::string_view text,
+                                               const codegen::PlatformInterface& interface,
                                                LibrarySettings& settings) {
   return readFile(text, [&](const Json& file) {
-    librarySettings(file, executable, settings);
+    librarySettings(file, interface, settings);
     settings.place = placeOfPart(text, file, &file["library"]);
   });
 }

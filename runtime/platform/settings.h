@@ -16,8 +16,9 @@ namespace proskill::runtime {
 
 /// Reads the file of a simulated platform into the settings.
 /// \return an error
-[[nodiscard]] std::optional<std::string>
-readPlatform(std::string_view text, const Executable& executable, SimulationSettings& settings);
+[[nodiscard]] std::optional<std::string> readPlatform(std::string_view text,
+                                                      const codegen::PlatformInterface& interface,
+                                                      SimulationSettings& settings);
 /// Reads the file of a platform of kind `process` into the settings.
 /// \return an error
 [[nodiscard]] std::optional<std::string> readProcessPlatform(std::string_view text,
@@ -33,11 +34,13 @@ struct LibrarySettings {
   std::string place;                            ///< of the library in the file, as `3:14`
 };
 [[nodiscard]] std::optional<std::string>
-readLibraryPlatform(std::string_view text, const Executable& executable, LibrarySettings& settings);
+readLibraryPlatform(std::string_view text, const codegen::PlatformInterface& interface,
+                    LibrarySettings& settings);
 /// Reads a script into the settings.
 /// \return an error
-[[nodiscard]] std::optional<std::string>
-readScript(std::string_view text, const Executable& executable, SimulationSettings& settings);
+[[nodiscard]] std::optional<std::string> readScript(std::string_view text,
+                                                    const codegen::PlatformInterface& interface,
+                                                    SimulationSettings& settings);
 
 /// Whether the file says when events come; the program's environment is then not executed.
 [[nodiscard]] bool speaksForEnvironment(std::string_view text);

@@ -30,7 +30,7 @@ public:
 
   void start(const std::string& script = R"({"signals":[]})") {
     auto settings = defaultSettings(*executable);
-    REQUIRE(readScript(script, *executable, settings) == std::nullopt);
+    REQUIRE(readScript(script, executable->model, settings) == std::nullopt);
     simulated = simulatedPlatform(std::move(settings), 1);
     platform = withInbox(*simulated, inbox, false);
     clock = pausableClock(runtime::simulatedClock(), pause);

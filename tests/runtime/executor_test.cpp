@@ -330,7 +330,7 @@ TEST_CASE("with ticks, what is due or reported is handled at the next tick, and 
   const auto executable = test::executableOf(mission("(^ 1.25) (fly) (success done)"), false);
   auto settings = defaultSettings(*executable);
   REQUIRE(readScript(R"({"signals":[],"actions":{"fly":[{"result":"there","after":2.3}]}})",
-                     *executable, settings) == std::nullopt);
+                     executable->model, settings) == std::nullopt);
   const auto platform = simulatedPlatform(std::move(settings), 1);
   const auto clock = tickingClock(runtime::simulatedClock(), runtime::kSecond / 2);
   const auto ran = test::runOf(*executable, *platform, *clock, {});
@@ -345,6 +345,6 @@ TEST_CASE("a script about an action that the program does not have is refused") 
   const auto executable = test::executableOf(mission("(fly) (success done)"), false);
   auto settings = defaultSettings(*executable);
   for (const auto* runs : {"[]", R"([{"after":1}])"})
-    CHECK(readScript(std::string(R"({"actions":{"flie":)") + runs + "}}", *executable, settings) ==
-          "1:13: there is no basic skill `flie`");
+    CHECK(readScript(std::string(R"({"actions":{"flie":)") + runs + "}}", executable->model,
+                     settings) == "1:13: there is no basic skill `flie`");
 }

@@ -19,13 +19,13 @@ const std::string kProgram = R"(
 std::string platformError(const std::string& text) {
   const auto executable = test::executableOf(kProgram, false);
   auto settings = defaultSettings(*executable);
-  return readPlatform(text, *executable, settings).value_or("");
+  return readPlatform(text, executable->model, settings).value_or("");
 }
 
 std::string scriptError(const std::string& text) {
   const auto executable = test::executableOf(kProgram, false);
   auto settings = defaultSettings(*executable);
-  return readScript(text, *executable, settings).value_or("");
+  return readScript(text, executable->model, settings).value_or("");
 }
 
 /// The place of the value with this JSON pointer.
@@ -78,7 +78,7 @@ TEST_CASE("the library of a platform file has its place") {
   const auto executable = test::executableOf(kProgram, false);
   runtime::LibrarySettings settings;
   REQUIRE(readLibraryPlatform("{\"kind\": \"library\",\n \"library\": \"librobot.so\"}",
-                              *executable, settings) == std::nullopt);
+                              executable->model, settings) == std::nullopt);
   CHECK(settings.place == "2:13");
 }
 

@@ -103,8 +103,8 @@ Ran runOf(const runtime::Executable& executable, runtime::Platform& platform, ru
 Ran runOf(const runtime::Executable& executable, std::uint64_t seed, const std::string& script,
           const std::string& platform, double until) {
   auto settings = defaultSettings(executable);
-  if (!platform.empty()) CHECK(readPlatform(platform, executable, settings) == std::nullopt);
-  if (!script.empty()) CHECK(readScript(script, executable, settings) == std::nullopt);
+  if (!platform.empty()) CHECK(readPlatform(platform, executable.model, settings) == std::nullopt);
+  if (!script.empty()) CHECK(readScript(script, executable.model, settings) == std::nullopt);
   const auto simulated = simulatedPlatform(std::move(settings), seed + 1);
   return runOf(
       executable, *simulated,
