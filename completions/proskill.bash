@@ -102,7 +102,7 @@ _proskill_options() {
     lsp) echo '--help --port --log --debounce --cache --no-cache --stdio' ;;
     plan) echo '--help --output --name --anml --planner --outcomes --time-limit --memory-limit --python' ;;
     replay) echo '--help --color' ;;
-    run) echo '--help --main --platform --script --clock --rate --seed --until --format --record --no-record --view --no-controls --no-open --port --groot --groot-port --realtime --controls --color' ;;
+    run) echo '--help --main --platform --no-platform --script --clock --rate --seed --until --format --record --no-record --view --no-controls --no-open --port --groot --groot-port --realtime --controls --color' ;;
     stubs) echo '--help --language --main --color' ;;
     verify) echo '--help --property --list --properties --environment --main --format --traces --save-traces --report --graph --graph-of --durations --explain-size --strict --color --time-limit --memory-limit --class-limit --checkpoint --every --backend --frac --sift --tina --selt --ktzio --cc --fraclib --keep --difference --cache --jobs --mpi --reduce --runs --expanded --sv-automata' ;;
     view) echo '--help --main --from --no-open --time-limit --memory-limit --port' ;;

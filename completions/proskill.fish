@@ -105,7 +105,8 @@ complete -c proskill -n '__fish_seen_subcommand_from replay' -ka '(__fish_comple
 complete -c proskill -n __fish_use_subcommand -a run -d 'Execute a program on a robot, or on a simulated one'
 complete -c proskill -n '__fish_seen_subcommand_from run' -s h -l help -d 'Print this help message and exit'
 complete -c proskill -n '__fish_seen_subcommand_from run' -l main -d 'Skill to use as the mission, if several are possible' -x
-complete -c proskill -n '__fish_seen_subcommand_from run' -l platform -d 'Platform that performs the actions (JSON): a program, a library, ROS 1 or 2, or a simulation (default)' -r
+complete -c proskill -n '__fish_seen_subcommand_from run' -l platform -d 'Platform that performs the actions (JSON): a program, a library, ROS 1 or 2, or a simulation; default: the one that the program names by `defplatform`, else a simulation' -r
+complete -c proskill -n '__fish_seen_subcommand_from run' -l no-platform -d 'Simulate everything, although the program names a platform'
 complete -c proskill -n '__fish_seen_subcommand_from run' -l script -d 'Script of a simulation (JSON): results, events, interrupts' -r
 complete -c proskill -n '__fish_seen_subcommand_from run' -l clock -d 'Real time, N times real time (10x), or simulated: time jumps to the next step (default of a simulation)' -x -a 'real simulated Nx'
 complete -c proskill -n '__fish_seen_subcommand_from run' -l rate -d 'Take steps at ticks only: so many per second (default: at any time)' -x

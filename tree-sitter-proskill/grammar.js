@@ -59,6 +59,24 @@ const outcomes = ($, keyword) =>
 const guarded = $ =>
   optional(seq(field('condition', choice($._condition, $.keyword)), repeat($._statement)));
 
+/** A form that names a file. */
+const naming = ($, head) =>
+  form(
+    $,
+    field('head', head),
+    repeat(
+      choice(
+        field('path', $.string),
+        $.symbol,
+        $.access,
+        $.parameter,
+        $.keyword,
+        $._sign,
+        $.list,
+      ),
+    ),
+  );
+
 /** A statement about one name. */
 const named = ($, head) => form($, field('head', head), leading($, ['name'], $.list));
 
@@ -251,6 +269,7 @@ module.exports = grammar({
     _definition: $ =>
       choice(
         $.include,
+        $.platform,
         $.constant,
         $.state_variable,
         $.event,
@@ -261,22 +280,9 @@ module.exports = grammar({
         $.list,
       ),
 
-    include: $ =>
-      form(
-        $,
-        field('head', 'include'),
-        repeat(
-          choice(
-            field('path', $.string),
-            $.symbol,
-            $.access,
-            $.parameter,
-            $.keyword,
-            $._sign,
-            $.list,
-          ),
-        ),
-      ),
+    include: $ => naming($, 'include'),
+
+    platform: $ => naming($, 'defplatform'),
 
     constant: $ => named($, 'defconst'),
 

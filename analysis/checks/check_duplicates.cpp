@@ -51,12 +51,20 @@ void checkEnvironments(Context& context) {
         .related(all[0].at(all[0]->name.range), "the first one");
 }
 
+void checkPlatforms(Context& context) {
+  const auto& all = context.program.platforms.all;
+  for (std::size_t i = 1; i < all.size(); ++i)
+    context.findings.report(Code::SecondPlatform, all[i].at(all[i].form->keyword.range))
+        .related(all[0].at(all[0].form->keyword.range), "the first one");
+}
+
 } // namespace
 
 void checkDuplicates(Context& context) {
   checkNames(context);
   checkConstantNames(context);
   checkEnvironments(context);
+  checkPlatforms(context);
 }
 
 } // namespace proskill::analysis

@@ -15,6 +15,8 @@ using syntax::Diagnostic;
 
 constexpr std::string_view kMark = "proskill-ignore:";
 constexpr std::string_view kBetween = " \t,";
+/// From this code on, findings are about the file of the platform, which is not read here.
+constexpr std::string_view kPlatforms = "PS1400";
 
 /// One code in one comment.
 struct Ignore {
@@ -49,7 +51,7 @@ public:
     for (const Ignore& each : all) {
       if (!each.code)
         findings.report(Code::IgnoresUnknownCode, each.at, each.word);
-      else if (!each.used)
+      else if (!each.used && each.code->id < kPlatforms)
         findings.report(Code::IgnoresNothing, each.at, each.word)
             .fix(each.isOnly ? "remove the comment" : "remove the code",
                  {each.at.file, each.isOnly ? each.comment : each.at.range}, "");
@@ -58,8 +60,8 @@ public:
 
 private:
   static bool isFatal(const Diagnostic& diagnostic) {
-    return diagnostic.severity == syntax::Severity::Error &&
-           syntax::info(diagnostic.code).id < "PS0500";
+    const auto id = syntax::info(diagnostic.code).id;
+    return diagnostic.severity == syntax::Severity::Error && (id < "PS0500" || id >= kPlatforms);
   }
 
   [[nodiscard]] std::uint32_t lineOf(Location at) const {

@@ -19,10 +19,10 @@ bool isStyle(const Diagnostic& diagnostic) {
   return syntax::info(diagnostic.code).id.starts_with("PS11");
 }
 
-/// Whether the error concerns form, names or types, or a Fiacre model.
+/// Whether the error concerns form, names or types, a Fiacre model, or the platform.
 bool isFatal(const Diagnostic& diagnostic) {
   const auto id = syntax::info(diagnostic.code).id;
-  return isError(diagnostic) && (id < "PS0500" || id.starts_with("PS13"));
+  return isError(diagnostic) && (id < "PS0500" || id >= "PS1300");
 }
 
 /// \return whether it is reported

@@ -50,7 +50,8 @@ private:
       follow(include->path, id);
     std::apply([&](auto&... tables) { (enter(tables, form, id), ...); },
                std::tie(program.constants, program.stateVariables, program.events, program.skills,
-                        program.resources, program.properties, program.environments));
+                        program.resources, program.properties, program.environments,
+                        program.platforms));
   }
 
   template <class Node> static void enter(Table<Node>& table, const syntax::Form& form, FileId id) {

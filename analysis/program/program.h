@@ -66,6 +66,7 @@ struct Program {
   Table<syntax::Resource> resources;
   Table<syntax::Property> properties;
   Table<syntax::Environment> environments;
+  Table<syntax::Platform> platforms;
   std::vector<syntax::Diagnostic> diagnostics; ///< of loading and parsing
   /// Those of `constants` that can be used. The definitions in the tables have their numbers.
   syntax::ConstantValues constantValues;

@@ -11,6 +11,7 @@
 #include "report/check_report.h"
 #include "report/program_settings.h"
 #include "report/text/render.h"
+#include "runtime/check/platform_check.h"
 
 #include <algorithm>
 #include <iostream>
@@ -42,6 +43,15 @@ std::string placed(const fs::path& file, const report::SettingsMistake& mistake)
   const auto [line, column] = syntax::LineIndex(mistake.text).position(mistake.at.begin);
   return file.generic_string() + ":" + std::to_string(line + 1) + ":" + std::to_string(column + 1) +
          ": " + mistake.description;
+}
+
+/// Inserts a diagnostic after those at earlier places of the program.
+void insertInOrder(std::vector<syntax::Diagnostic>& all, syntax::Diagnostic diagnostic) {
+  const auto placeOf = [](const syntax::Diagnostic& each) {
+    return std::pair(each.location.file, each.location.range.begin);
+  };
+  const auto after = std::ranges::upper_bound(all, placeOf(diagnostic), {}, placeOf);
+  all.insert(after, std::move(diagnostic));
 }
 
 /// Loads the programs of the given files. A file that another one includes is checked as part of
@@ -85,9 +95,7 @@ public:
     std::vector<report::CheckedProgram> checked;
     for (Root& root : roots) {
       if (root.included) continue;
-      auto diagnostics = root.found
-                             ? std::move(*root.found)
-                             : analysis::flow::inspect(root.program, settings(root.canonical));
+      auto diagnostics = root.found ? std::move(*root.found) : inspected(root);
       checked.push_back({std::move(root.program), std::move(diagnostics)});
     }
     return checked;
@@ -104,6 +112,17 @@ private:
     std::optional<std::vector<syntax::Diagnostic>> found; ///< findings in a Fiacre model
     bool included = false;
   };
+
+  std::vector<syntax::Diagnostic> inspected(const Root& root) {
+    const auto weights = settings(root.canonical);
+    const auto analysis = analysis::analyse(root.program);
+    auto all = analysis::flow::inspect(root.program, analysis, weights);
+    const auto read = [this](const fs::path& path) { return disk.read(path); };
+    const bool isSound = analysis::flow::hasFlow(root.program, analysis);
+    for (auto& finding : runtime::checkNamedPlatform(root.program, isSound, weights, read))
+      insertInOrder(all, std::move(finding.diagnostic));
+    return all;
+  }
 
   analysis::flow::Settings settings(const fs::path& root) {
     auto [result, file, mistake] = report::settingsFor(disk, root);

@@ -89,10 +89,13 @@ struct Failed {
 
 class Session {
 public:
-  Session(const RunArguments& given, const analysis::Program& of) : arguments(given), program(of) {}
+  /// \param named where the program names the platform; nothing if it does not
+  Session(const RunArguments& given, const analysis::Program& of,
+          std::optional<analysis::Location> named)
+      : arguments(given), program(of), named(named) {}
 
   int run() {
-    const auto platformText = read(arguments.platform);
+    const auto platformText = read(arguments.platform, named);
     const auto scriptText = read(arguments.script);
     const auto kind = runtime::platformKind(platformText.value_or("{}"));
     if (!kind) return fail(arguments.platform + ":" + kind.error());
@@ -104,11 +107,14 @@ public:
   }
 
 private:
-  [[nodiscard]] std::optional<std::string> read(const std::string& path) const {
+  /// \param place in the program that names the file, if there is one
+  [[nodiscard]] std::optional<std::string>
+  read(const std::string& path, std::optional<analysis::Location> place = {}) const {
     if (path.empty()) return std::nullopt;
     auto text = disk::DiskFileSystem().read(path);
-    if (!text) throw Failed{fail("cannot read `" + path + "`: " + text.error())};
-    return *text;
+    if (text) return *text;
+    const auto why = "cannot read `" + path + "`: " + text.error();
+    throw Failed{place ? failGeneration(program, {why, *place}) : fail(why)};
   }
 
   void makeExecutable(bool environment) {
@@ -180,7 +186,9 @@ private:
 
   /// A program needs real time.
   void prepareForProcess(runtime::ProcessSettings& settings) {
-    if (!arguments.script.empty()) throw Failed{fail("`--script` is for simulations")};
+    if (!arguments.script.empty())
+      throw Failed{fail(named ? "`--script` is for simulations: add `--no-platform`"
+                              : "`--script` is for simulations")};
     if (arguments.clock == "simulated")
       throw Failed{fail("`--clock simulated` is for simulations: this platform takes real time")};
     makeExecutable(false);
@@ -348,18 +356,21 @@ private:
 
   const RunArguments& arguments;
   const analysis::Program& program;
+  std::optional<analysis::Location> named;
   std::unique_ptr<const runtime::Executable> executable;
   bool isSimulation = false;
   bool lacksRecording = false;             ///< the one that `--record` names is not complete
   std::unique_ptr<groot::Monitor> monitor; ///< the last member, since it uses the others
 };
 
-int runRun(const RunArguments& arguments) {
-  const auto program = loadChecked(arguments.file, arguments.colour);
+int runRun(const RunArguments& given) {
+  const auto program = loadChecked(given.file, given.colour);
   if (!program) return kFailed;
+  auto arguments = given;
+  const auto named = takeNamedPlatform(arguments, *program);
   listenForStops();
   try {
-    return Session(arguments, *program).run();
+    return Session(arguments, *program, named).run();
   } catch (const Failed& failed) {
     return failed.exitCode;
   }

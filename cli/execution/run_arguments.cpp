@@ -1,5 +1,6 @@
 #include "cli/execution/run_arguments.h"
 
+#include "analysis/program/named_platform.h"
 #include "cli/terminal/choice.h"
 #include "cli/terminal/help.h"
 #include "cli/terminal/length_of_time.h"
@@ -58,14 +59,28 @@ std::optional<double> clockFactor(const std::string& clock) {
   return number && word == "x" && *number <= 1e6 ? number : std::nullopt;
 }
 
+std::optional<analysis::Location> takeNamedPlatform(RunArguments& arguments,
+                                                    const analysis::Program& program) {
+  if (!arguments.platform.empty() || arguments.noPlatform) return std::nullopt;
+  const auto named = analysis::namedPlatform(program);
+  if (!named) return std::nullopt;
+  arguments.platform = named->file.generic_string();
+  return named->at;
+}
+
 void addRunOptions(CLI::App& command, RunArguments& arguments) {
   command.add_option("file", arguments.file, "Root file of the program")->required();
   addMainSkill(command, arguments.mainSkill);
-  show(command.add_option(
-           "--platform", arguments.platform,
-           "Platform that performs the actions (JSON): a program, a library, ROS 1 or 2, or a "
-           "simulation (default)"),
-       group::kSubject, "FILE");
+  auto* platform = command.add_option(
+      "--platform", arguments.platform,
+      "Platform that performs the actions (JSON): a program, a library, ROS 1 or 2, or a "
+      "simulation; default: the one that the program names by `defplatform`, else a simulation");
+  show(platform, group::kSubject, "FILE");
+  show(command
+           .add_flag("--no-platform", arguments.noPlatform,
+                     "Simulate everything, although the program names a platform")
+           ->excludes(platform),
+       group::kSubject);
   show(command.add_option("--script", arguments.script,
                           "Script of a simulation (JSON): results, events, interrupts"),
        group::kSubject, "FILE");

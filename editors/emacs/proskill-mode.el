@@ -48,7 +48,8 @@
     table))
 
 (defconst proskill--definitions
-  '("defconst" "defsv" "defevent" "defskill" "defresource" "defproperty" "defenvironment"))
+  '("defconst" "defsv" "defevent" "defskill" "defresource" "defproperty" "defenvironment"
+    "defplatform"))
 
 (defconst proskill--top-level
   (concat "(" (regexp-opt (cons "include" proskill--definitions)) "\\_>"))

@@ -49,9 +49,9 @@ struct Scan {
 };
 
 /// The words that begin a definition.
-inline constexpr std::array<std::string_view, 8> kDefinitionWords = {
-    "defconst",    "defsv",       "defevent",       "defskill",
-    "defresource", "defproperty", "defenvironment", "include",
+inline constexpr std::array<std::string_view, 9> kDefinitionWords = {
+    "defconst",    "defsv",          "defevent",    "defskill", "defresource",
+    "defproperty", "defenvironment", "defplatform", "include",
 };
 
 [[nodiscard]] Scan scan(std::string_view text);

@@ -325,14 +325,19 @@ struct Include {
   Name path; ///< without its quotes
 };
 
+/// Names the file that says who performs the actions of the program.
+struct Platform {
+  Name path; ///< without its quotes
+};
+
 /// A form at the top level that the language does not have. A diagnostic has been reported.
 struct UnknownForm {
   Name head;
   Name name; ///< the word after it: what it would have defined
 };
 
-using FormNode = std::variant<UnknownForm, Include, Constant, StateVariable, Event, Skill, Resource,
-                              Property, Environment>;
+using FormNode = std::variant<UnknownForm, Include, Platform, Constant, StateVariable, Event, Skill,
+                              Resource, Property, Environment>;
 
 /// The statements of a body that are needed in all bodies after each edit, outer before inner, in
 /// the order of the text.

@@ -200,17 +200,18 @@ Skill skillOf(Builder& builder, Definition& definition) {
   return skill;
 }
 
-Include includeOf(Builder& builder, const Node& node) {
+/// The path in a form that names a file. \param missing reported if there is none
+Name pathOf(Builder& builder, const Node& node, syntax::CodeFor<0> missing) {
   Parts parts(node);
   Name head = builder.nameOf(*parts.take());
-  if (const Node* path = parts.take(NodeKind::String)) {
+  if (const Node* text = parts.take(NodeKind::String)) {
     builder.reportSurplus(parts, "the file's name");
-    Include include{contentOf(builder, *path)};
-    if (!include.path && !isDamaged(*path)) builder.report(Code::MissingPath, head.range);
-    return include;
+    Name path = contentOf(builder, *text);
+    if (!path && !isDamaged(*text)) builder.report(missing, head.range);
+    return path;
   }
-  if (!parts.peek() || !isDamaged(*parts.peek())) builder.report(Code::MissingPath, head.range);
-  return {{{}, {head.range.end, head.range.end}}};
+  if (!parts.peek() || !isDamaged(*parts.peek())) builder.report(missing, head.range);
+  return {{}, {head.range.end, head.range.end}};
 }
 
 UnknownForm unknownFormOf(Builder& builder, const Node& node) {
@@ -234,7 +235,12 @@ ReadForm formOf(Builder& builder, const Node& node) {
   if (const Node* head = Parts(node).take()) form.keyword = builder.nameOf(*head);
   switch (node.kind) {
   case NodeKind::List: form.node = unknownFormOf(builder, node); return form;
-  case NodeKind::Include: form.node = includeOf(builder, node); return form;
+  case NodeKind::Include:
+    form.node = Include{pathOf(builder, node, Code::MissingPath)};
+    return form;
+  case NodeKind::Platform:
+    form.node = Platform{pathOf(builder, node, Code::MissingPlatformPath)};
+    return form;
   case NodeKind::Constant: form.node = constantOf(builder, node); return form;
   case NodeKind::Property: form.node = propertyOf(builder, node); return form;
   default: break;
@@ -254,6 +260,7 @@ bool isForm(const Node& node) {
   switch (node.kind) {
   case NodeKind::List:
   case NodeKind::Include:
+  case NodeKind::Platform:
   case NodeKind::Constant:
   case NodeKind::StateVariable:
   case NodeKind::Event:

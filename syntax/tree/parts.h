@@ -38,6 +38,7 @@ auto of(Is<CasePattern> auto& x) { return std::tie(x.status, x.tags, x.range); }
 auto of(Is<Arm> auto& x) { return std::tie(x.keyword, x.condition, x.pattern, x.body); }
 auto of(Is<UnknownForm> auto& x) { return std::tie(x.head, x.name); }
 auto of(Is<Include> auto& x) { return std::tie(x.path); }
+auto of(Is<Platform> auto& x) { return std::tie(x.path); }
 auto of(Is<Constant> auto& x) { return std::tie(x.name, x.value); }
 auto of(Is<Event> auto& x) { return std::tie(x.name, x.fields, x.every, x.guard, x.effects); }
 auto of(Is<Resource> auto& x) { return std::tie(x.name, x.fields, x.capacity); }

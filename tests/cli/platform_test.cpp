@@ -202,3 +202,109 @@ TEST_CASE("a full disk ends the recording, and not the run") {
   CHECK(none.exitCode == 2);
   CHECK(none.err.find("No space left on device; the recording ends here") != std::string::npos);
 }
+
+namespace {
+
+/// A program in a folder that names a platform file beside it.
+class NamedPlatform {
+public:
+  explicit NamedPlatform(const std::string& platform) {
+    std::filesystem::create_directory(files.path("robot"));
+    files.write("robot/skills.proskill", R"((defplatform "robot.json")
+(defskill fly :time_interval [1,9] :action (fly) :success there))");
+    files.write("mission.proskill", R"((include "robot/skills.proskill")
+(defskill mission :success done :body ((case (fly) ((success there) (success done))))))");
+    if (!platform.empty()) files.write("robot/robot.json", platform);
+  }
+
+  /// The output has paths from the folder on. The last argument is a file in it.
+  [[nodiscard]] test::Finished call(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), PROSKILL_PROGRAM);
+    arguments.back() = path(arguments.back());
+    auto done = test::run(arguments);
+    for (auto* text : {&done.out, &done.err}) removeAll(*text, path("") + "/");
+    return done;
+  }
+  [[nodiscard]] test::Finished run(std::vector<std::string> arguments = {}) const {
+    arguments.insert(arguments.begin(), "run");
+    arguments.push_back("mission.proskill");
+    return call(arguments);
+  }
+  void write(const std::string& name, const std::string& text) const { files.write(name, text); }
+  [[nodiscard]] std::string path(const std::string& name) const { return files.path(name); }
+
+private:
+  static void removeAll(std::string& text, const std::string& part) {
+    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at))
+      text.erase(at, part.size());
+  }
+
+  test::TemporaryDirectory files;
+};
+
+bool hasPart(const std::string& text, std::string_view part) {
+  return text.find(part) != std::string::npos;
+}
+
+} // namespace
+
+TEST_CASE("run takes the platform that the program names, and an option wins") {
+  const NamedPlatform named(R"({"actions": {"fly": {"duration": [3, 3]}}})");
+  CHECK(hasPart(named.run().out, "has ended after 3 s"));
+  named.write("other.json", R"({"actions": {"fly": {"duration": [4, 4]}}})");
+  CHECK(hasPart(named.run({"--platform", named.path("other.json")}).out, "has ended after 4 s"));
+  const auto without = named.run({"--no-platform"});
+  CHECK(without.exitCode == 0);
+  CHECK_FALSE(hasPart(without.out, "has ended after 3 s"));
+}
+
+TEST_CASE("the program of a platform that is named is started where its file is") {
+  const NamedPlatform named(R"({"kind": "process", "command": ["sh", "robot.sh"]})");
+  named.write("robot/robot.sh", kReadyRobot + R"(read -r start; pwd >&2
+                          echo '{"type":"result","run":1,"result":"there"}'; cat > heard)");
+  const auto done = named.run({"--no-record"});
+  INFO(done.out << done.err);
+  CHECK(done.exitCode == 1); // it is sooner than its interval
+  CHECK(hasPart(done.err, "robot\n"));
+  CHECK(hasPart(done.out, "mission: success"));
+}
+
+TEST_CASE("a script needs a simulation, also where the program names a platform") {
+  const NamedPlatform named(R"({"kind": "process", "command": ["sh", "robot.sh"]})");
+  named.write("script.json", "{}");
+  const auto done = named.run({"--script", named.path("script.json")});
+  CHECK(done.exitCode == 2);
+  CHECK(done.err == "error: `--script` is for simulations: add `--no-platform`\n");
+  CHECK(named.run({"--script", named.path("script.json"), "--no-platform"}).exitCode == 0);
+}
+
+TEST_CASE("run says what is wrong with the platform that the program names") {
+  const NamedPlatform missing("");
+  auto done = missing.run();
+  CHECK(done.exitCode == 2);
+  CHECK(done.err == "robot/skills.proskill:1:15: error: cannot read `robot/robot.json`: no such "
+                    "file or directory\n");
+  const NamedPlatform wrong(R"({"actions": {"flie": {}}})");
+  done = wrong.run();
+  CHECK(done.exitCode == 2);
+  CHECK(done.err == "error: robot/robot.json:1:14: there is no basic skill `flie`\n");
+}
+
+TEST_CASE("check reports the platform that the program names, verify does not read it") {
+  const NamedPlatform wrong(R"({"actions": {"flie": {}}})");
+  auto done = wrong.call({"check", "--format", "short", "mission.proskill"});
+  CHECK(done.exitCode == 1);
+  CHECK(done.out == "robot/skills.proskill:1:15: error[PS1402]: `robot.json`:1:14: there is no "
+                    "basic skill `flie`\n");
+  CHECK(wrong.call({"verify", "mission.proskill"}).exitCode ==
+        NamedPlatform("{}").call({"verify", "mission.proskill"}).exitCode);
+  CHECK(NamedPlatform("{}").call({"check", "mission.proskill"}).exitCode == 0);
+  done = NamedPlatform("").call({"check", "--format", "short", "mission.proskill"});
+  CHECK(done.out == "robot/skills.proskill:1:15: error[PS1401]: cannot read the platform "
+                    "`robot.json`: no such file or directory\n");
+}
+
+TEST_CASE("a part of a program is checked without its platform's actions") {
+  const NamedPlatform wrong(R"({"actions": {"other": {}}})");
+  CHECK(wrong.call({"check", "--fragment", "robot/skills.proskill"}).exitCode == 0);
+}

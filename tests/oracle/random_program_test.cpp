@@ -38,6 +38,7 @@ private:
 
   void of(const UnknownForm&) { FAIL("an unknown form"); }
   void of(const Include&) { FAIL("an include"); }
+  void of(const Platform&) { FAIL("a platform"); }
   void of(const Constant&) { FAIL("a constant: random_constants.h puts them in"); }
   void of(const StateVariable& variable) {
     fields(variable.fields);

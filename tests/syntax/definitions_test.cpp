@@ -66,6 +66,22 @@ TEST_CASE("an include") {
   CHECK(include->path.range == syntax::Range{10, 28});
 }
 
+TEST_CASE("a platform") {
+  Parsed<syntax::Platform> platform("(defplatform \"robots/arm.platform.json\")");
+  CHECK(platform->path.text == "robots/arm.platform.json");
+  CHECK(platform->path.range == syntax::Range{14, 38});
+  CHECK(test::codesOf(platform.document).empty());
+}
+
+TEST_CASE("a platform without a path") {
+  for (const auto* text : {"(defplatform)", "(defplatform \"\")", "(defplatform robot)"}) {
+    INFO(text);
+    Parsed<syntax::Platform> platform(text);
+    CHECK(platform->path.text.empty());
+    CHECK(test::codesOf(platform.document).starts_with("PS0130"));
+  }
+}
+
 TEST_CASE("a form that the language does not know keeps its head") {
   Parsed<syntax::UnknownForm> form("(defun f (x) x)");
   CHECK(form->head.text == "defun");

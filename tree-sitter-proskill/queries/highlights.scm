@@ -26,6 +26,7 @@
   "defresource"
   "defproperty"
   "defenvironment"
+  "defplatform"
 ] @keyword
 "include" @keyword.import
 

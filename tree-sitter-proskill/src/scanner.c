@@ -9,7 +9,8 @@ enum Token { IMPLICIT_CLOSE, ERROR_SENTINEL };
 
 static const char *const kHeads[] = {
     "defconst",    "defsv",       "defevent",       "defskill",
-    "defresource", "defproperty", "defenvironment", "include",
+    "defresource", "defproperty", "defenvironment", "defplatform",
+    "include",
 };
 
 void *tree_sitter_proskill_external_scanner_create(void) { return NULL; }

@@ -9,7 +9,7 @@ syntax match proskillEscape +\\["\\nt]+ contained
 syntax match proskillNumber "\v<-?\d+(\.\d+)?>"
 syntax match proskillParameter "\$\h\w*"
 syntax match proskillField ":\h\w*"
-syntax match proskillDefinition "\v\(@<=(defconst|defsv|defevent|defskill|defresource|defproperty|defenvironment)>"
+syntax match proskillDefinition "\v\(@<=(defconst|defsv|defevent|defskill|defresource|defproperty|defenvironment|defplatform)>"
 syntax match proskillInclude "\v\(@<=include>"
 syntax match proskillProperty "\v\(@<=(always|never|reachable|always_reachable|deadlockfree|infinitelyoften|leadsto|precedes|present|absent|longest|shortest|ltl)>"
 syntax match proskillStatement "\v\(@<=(set|label|goto|emit|success|failure|printf|choose|race)>"

@@ -5,7 +5,7 @@ export interface Token {
 }
 
 const forms = new Set(
-  'defconst defsv defevent defskill defresource defproperty defenvironment include if case while do do-until break label goto race set printf success failure emit choose elseif else until'.split(' '),
+  'defconst defsv defevent defskill defresource defproperty defenvironment defplatform include if case while do do-until break label goto race set printf success failure emit choose elseif else until'.split(' '),
 );
 const pattern = /;.*|"(?:\\.|[^"\\\n])*"?|:[A-Za-z_]\w*|\$[A-Za-z_]\w*|-?\d+(?:\.\d+)?|[A-Za-z_][\w.-]*|[()[\]]|\s+|./gsu;
 

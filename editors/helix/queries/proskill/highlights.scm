@@ -27,6 +27,7 @@
   "defresource"
   "defproperty"
   "defenvironment"
+  "defplatform"
 ] @keyword
 "include" @keyword.control.import
 

@@ -1,0 +1,162 @@
+#include "runtime/check/platform_check.h"
+
+#include "analysis/flow/ignores.h"
+#include "runtime/platform/ros.h"
+#include "runtime/platform/settings.h"
+#include "syntax/diagnostics/codes.h"
+
+#include <algorithm>
+#include <charconv>
+#include <set>
+
+namespace proskill::runtime {
+
+namespace {
+
+using codegen::PlatformInterface;
+using syntax::Code;
+
+/// Settings with room for what a platform file may say.
+SimulationSettings roomFor(const PlatformInterface& interface) {
+  SimulationSettings settings;
+  for (const auto& performed : interface.performed)
+    settings.actions.push_back({{}, {}, std::vector<unsigned>(performed.results.size())});
+  settings.endings.resize(interface.performed.size());
+  settings.signals.resize(interface.signals.size());
+  return settings;
+}
+
+/// Takes the place from an error in the form `3:14: MESSAGE`.
+PlatformError placed(const std::string& error) {
+  PlatformError made;
+  const auto* end = error.data() + error.size();
+  const auto line = std::from_chars(error.data(), end, made.line);
+  const auto column = std::from_chars(line.ptr + 1, end, made.column);
+  made.why = std::string(column.ptr + 2, end);
+  return made;
+}
+
+std::optional<PlatformError> placed(const std::optional<std::string>& error) {
+  return error ? std::optional(placed(*error)) : std::nullopt;
+}
+
+/// Notes the events of the program that none of these sensors reports.
+void noteSilentEvents(const Json& mapping, const analysis::Program& program,
+                      PlatformCheck& result) {
+  std::set<std::string> reported;
+  for (const auto& sensor : mapping["sensors"]) {
+    if (sensor["silent"].is_string()) reported.insert(sensor["silent"]);
+    for (const auto& each : sensor["cases"]) reported.insert(each["event"]);
+  }
+  for (const auto& event : program.events.all)
+    if (std::string name(event.name()); !reported.contains(name))
+      result.silentEvents.push_back(std::move(name));
+}
+
+std::optional<PlatformError> checkRos(std::string_view text, Ros ros,
+                                      const analysis::Program& program,
+                                      const PlatformInterface& interface, PlatformCheck& result) {
+  ProcessSettings settings;
+  const auto wrong = readRosPlatform(text, ros, program, interface, settings);
+  if (!wrong) noteSilentEvents(parsedText(settings.settings), program, result);
+  if (!wrong) return std::nullopt;
+  if (wrong->skill.empty()) return placed(wrong->why);
+  return PlatformError{.why = wrong->why, .skill = wrong->skill};
+}
+
+std::optional<PlatformError> checkKind(const std::string& kind, std::string_view text,
+                                       const analysis::Program& program,
+                                       const PlatformInterface& interface, PlatformCheck& result) {
+  if (kind == "ros1") return checkRos(text, Ros::One, program, interface, result);
+  if (kind == "ros2") return checkRos(text, Ros::Two, program, interface, result);
+  if (kind == "process") {
+    ProcessSettings settings;
+    return placed(readProcessPlatform(text, settings));
+  }
+  if (kind == "library") {
+    LibrarySettings settings;
+    return placed(readLibraryPlatform(text, interface, settings));
+  }
+  auto settings = roomFor(interface);
+  return placed(readPlatform(text, interface, settings));
+}
+
+syntax::Diagnostic diagnosticOf(const PlatformError& error, const analysis::Program& program,
+                                const analysis::NamedPlatform& named) {
+  const auto place =
+      error.line == 0 ? "" : ":" + std::to_string(error.line) + ":" + std::to_string(error.column);
+  auto made =
+      syntax::makeDiagnostic(Code::WrongPlatform, named.at, named.written, place, error.why);
+  if (const auto* skill = program.skills.find(error.skill))
+    made.related.push_back({skill->at((*skill)->name.range), "the skill"});
+  return made;
+}
+
+syntax::Diagnostic silenceOf(const std::string& name, const analysis::Program& program,
+                             const analysis::NamedPlatform& named) {
+  auto made = syntax::makeDiagnostic(Code::SilentPlatform, named.at, named.written, name);
+  const auto& event = *program.events.find(name);
+  made.related.push_back({event.at(event->name.range), "the event"});
+  return made;
+}
+
+/// Without an interface, for example because several skills could be the mission, the rest is
+/// checked.
+PlatformCheck checkFor(const analysis::Program& program, bool isSound, std::string_view text) {
+  if (!isSound) return checkPlatform(text, program, nullptr);
+  const auto interface = codegen::platformInterface(program);
+  return checkPlatform(text, program, interface ? &*interface : nullptr);
+}
+
+std::vector<PlatformFinding> findingsOf(const analysis::Program& program, bool isSound,
+                                        const analysis::NamedPlatform& named,
+                                        const ReadFile& read) {
+  const auto text = read(named.file);
+  if (!text)
+    return {
+        {syntax::makeDiagnostic(Code::UnreadablePlatform, named.at, named.written, text.error()),
+         named.file}};
+  const auto [error, silentEvents] = checkFor(program, isSound, *text);
+  std::vector<PlatformFinding> found;
+  if (error)
+    found.push_back({diagnosticOf(*error, program, named), named.file, error->line, error->column});
+  for (const auto& name : silentEvents)
+    found.push_back({silenceOf(name, program, named), named.file});
+  return found;
+}
+
+/// Gives a diagnostic the severity of the settings. \return whether it is reported
+bool weigh(syntax::Diagnostic& diagnostic, const analysis::Program& program,
+           const analysis::flow::Settings& settings) {
+  namespace flow = analysis::flow;
+  auto left = flow::withoutIgnored(program, flow::weighed({diagnostic}, settings));
+  const auto kept = std::ranges::find(left, diagnostic.code, &syntax::Diagnostic::code);
+  if (kept == left.end()) return false;
+  diagnostic = std::move(*kept);
+  return true;
+}
+
+} // namespace
+
+PlatformCheck checkPlatform(std::string_view text, const analysis::Program& program,
+                            const PlatformInterface* interface) {
+  PlatformCheck result;
+  const auto kind = platformKind(text);
+  if (!kind)
+    result.error = placed(kind.error());
+  else if (interface)
+    result.error = checkKind(*kind, text, program, *interface, result);
+  return result;
+}
+
+std::vector<PlatformFinding> checkNamedPlatform(const analysis::Program& program, bool isSound,
+                                                const analysis::flow::Settings& settings,
+                                                const ReadFile& read) {
+  const auto named = analysis::namedPlatform(program);
+  if (!named) return {};
+  auto found = findingsOf(program, isSound, *named, read);
+  std::erase_if(found, [&](auto& each) { return !weigh(each.diagnostic, program, settings); });
+  return found;
+}
+
+} // namespace proskill::runtime
