@@ -98,6 +98,25 @@ bool DiskFileSystem::isFile(const fs::path& path) const {
   return fs::is_regular_file(path, error);
 }
 
+std::vector<fs::path> DiskFileSystem::filesBelow(const fs::path& folder,
+                                                 std::string_view extension) const {
+  constexpr int kMostEntries = 5000;
+  std::vector<fs::path> found;
+  std::error_code error;
+  fs::recursive_directory_iterator walk(folder, fs::directory_options::skip_permission_denied,
+                                        error);
+  const fs::recursive_directory_iterator end;
+  for (int entries = 0; !error && walk != end && entries < kMostEntries; ++entries) {
+    const auto& path = walk->path();
+    if (walk.depth() > 0 || path.filename().native().starts_with('.'))
+      walk.disable_recursion_pending();
+    if (path.extension() == extension && isFile(path)) found.push_back(path);
+    walk.increment(error);
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
 fs::path DiskFileSystem::canonical(const fs::path& path) const {
   std::error_code error;
   const fs::path found = fs::weakly_canonical(path, error);

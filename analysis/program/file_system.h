@@ -5,6 +5,8 @@
 #include <expected>
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace proskill::analysis {
 
@@ -18,6 +20,12 @@ public:
   /// Whether the path is a readable file rather than a directory.
   [[nodiscard]] virtual bool isFile(const std::filesystem::path& path) const {
     return read(path).has_value();
+  }
+  /// Files with this extension, such as `.json`, in a folder and the folders directly below it, in
+  /// order. Implementations that cannot list folders return none.
+  [[nodiscard]] virtual std::vector<std::filesystem::path>
+  filesBelow(const std::filesystem::path& /*folder*/, std::string_view /*extension*/) const {
+    return {};
   }
   /// A unique spelling for each file, so that two includes of the same file are recognised.
   [[nodiscard]] virtual std::filesystem::path

@@ -67,6 +67,7 @@ Completer::Completer(const Snapshot& snapshot, const View& view, const Path& pat
 std::vector<Completion> Completer::gather() && {
   if (path.surrounding == Surrounding::String) {
     if (place.slot == Slot::IncludePath) files();
+    if (place.slot == Slot::PlatformPath) platformFiles();
   } else if (path.prefix.contains('.')) {
     access();
   } else {

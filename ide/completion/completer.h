@@ -68,6 +68,8 @@ private:
   void types();
   void resources();
   void files();
+  void addFile(const std::filesystem::path& relative);
+  void platformFiles();
 
   [[nodiscard]] SymbolId find(SymbolKind kind, std::string_view name) const;
   /// The skill or environment that contains the place.

@@ -360,10 +360,22 @@ void Completer::files() {
     included.insert(snapshot.nameOf(target).native());
   for (const auto& file : snapshot.files()) {
     if (included.contains(file.native()) || snapshot.kindOf(file) != TextKind::File) continue;
-    const auto relative = file.lexically_relative(folder);
-    if (relative.empty()) continue;
-    Completion& item = add(relative.generic_string(), CompletionKind::File);
-    item.rank = static_cast<unsigned>(std::ranges::count(item.label, '/'));
+    addFile(file.lexically_relative(folder));
+  }
+}
+
+void Completer::addFile(const std::filesystem::path& relative) {
+  if (relative.empty()) return;
+  Completion& item = add(relative.generic_string(), CompletionKind::File);
+  item.rank = static_cast<unsigned>(std::ranges::count(item.label, '/'));
+}
+
+/// The JSON files below this file's folder; those that are called platforms come first.
+void Completer::platformFiles() {
+  const auto folder = view.program().files[view.file].path.parent_path();
+  for (const auto& file : snapshot.filesBelow(folder, ".json")) {
+    addFile(file.lexically_relative(folder));
+    if (!file.filename().native().ends_with("platform.json")) items.back().rank += 100;
   }
 }
 

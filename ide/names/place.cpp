@@ -90,6 +90,7 @@ Place amongFields(Items items, WordKind fields) {
 Place inDefinition(Items items) {
   const auto head = items.front().text;
   if (head == "include") return just(items.size() == 1 ? Slot::IncludePath : Slot::Nothing);
+  if (head == "defplatform") return just(items.size() == 1 ? Slot::PlatformPath : Slot::Nothing);
   if (items.size() == 1) return just(Slot::Nothing);
   if (head == "defproperty") return just(items.size() == 2 ? Slot::Pattern : Slot::Nothing);
   const auto* fields = fieldsOf(head);

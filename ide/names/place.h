@@ -10,6 +10,7 @@ enum class Slot : std::uint8_t {
   Nothing, ///< a new name, a number, or something that cannot be guessed
   Definition,
   IncludePath,
+  PlatformPath,
   Field,          ///< a keyword of `Place::fields`
   OutcomeClause,  ///< `(:effects …)` after a tag, or the next field
   InitialValue,   ///< of the state variable `subject`, or a list of them

@@ -157,6 +157,15 @@ public:
   textOf(const std::filesystem::path& path) const;
   [[nodiscard]] std::expected<syntax::Document, std::string>
   documentOf(const std::filesystem::path& path) const;
+  /// Whether there is a file, or an open text, at a path.
+  [[nodiscard]] bool isFile(const std::filesystem::path& path) const {
+    return texts.contains(nameOf(path)) || disk->isFile(path);
+  }
+  /// Files of the disk: see analysis::FileSystem.
+  [[nodiscard]] std::vector<std::filesystem::path> filesBelow(const std::filesystem::path& folder,
+                                                              std::string_view extension) const {
+    return disk->filesBelow(folder, extension);
+  }
   /// The unique name of the file at a path, open or not.
   [[nodiscard]] std::filesystem::path canonical(const std::filesystem::path& path) const {
     return disk->canonical(path);

@@ -1,8 +1,10 @@
+#include "analysis/program/originals.h"
 #include "ide/actions/action.h"
 #include "lsp/features/explain.h"
 #include "lsp/protocol/convert.h"
 #include "lsp/protocol/diagnostics.h"
 #include "lsp/protocol/edits.h"
+#include "lsp/verification/verdict_json.h"
 
 #include <algorithm>
 
@@ -63,8 +65,8 @@ Json actionJson(const ide::Action& action, const Request& request) {
                             request.client.encoding);
     const auto original =
         analysis::ProgramOriginals(action.owner->program).of(action.fixes->location);
-    const auto diagnostic =
-        diagnosticJson({action.owner, action.fixes}, convert, request.client, original);
+    const auto diagnostic = diagnosticJson({action.owner, action.fixes}, convert, request.client,
+                                           original ? relatedOriginal(*original) : Json());
     json["diagnostics"] =
         Json::array({Json::parse(rpc::dump(diagnostic))}); // `resolve` compares it
   }

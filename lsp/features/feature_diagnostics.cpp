@@ -1,5 +1,7 @@
+#include "analysis/program/originals.h"
 #include "analysis/program/stop.h"
 #include "ide/description/diagnostics.h"
+#include "lsp/features/platform.h"
 #include "lsp/protocol/convert.h"
 #include "lsp/protocol/diagnostics.h"
 #include "lsp/protocol/numbers.h"
@@ -52,9 +54,9 @@ void writeCode(rpc::JsonWriter& json, std::string_view code, const ClientFeature
 }
 
 void writeRelated(rpc::JsonWriter& json, const syntax::Diagnostic& diagnostic,
-                  const std::optional<analysis::Original>& original, const Converter& convert) {
+                  const Json& elsewhere, const Converter& convert) {
   json.key("relatedInformation").open('[');
-  if (original) json.value(relatedOriginal(*original));
+  if (!elsewhere.is_null()) json.value(elsewhere);
   for (const auto& entry : diagnostic.related) {
     if (!convert.isShown(entry.location.file)) continue;
     convert.write(json.open('{').key("location"), entry.location);
@@ -155,8 +157,7 @@ Answer workspaceDiagnostics(const Request& request) {
 } // namespace
 
 Json diagnosticJson(const ide::Finding& finding, const Converter& convert,
-                    const ClientFeatures& client,
-                    const std::optional<analysis::Original>& original) {
+                    const ClientFeatures& client, const Json& elsewhere) {
   const auto& diagnostic = *finding.diagnostic;
   rpc::JsonWriter json;
   convert.write(json.open('{').key("range"), diagnostic.location.file, diagnostic.location.range);
@@ -166,8 +167,8 @@ Json diagnosticJson(const ide::Finding& finding, const Converter& convert,
   json.member("message", diagnostic.message);
   if (const auto tag = tagOf(diagnostic.code); client.diagnosticTags && tag)
     json.key("tags").open('[').value(*tag).close(']');
-  if (client.relatedInformation && (original || !diagnostic.related.empty()))
-    writeRelated(json, diagnostic, original, convert);
+  if (client.relatedInformation && (!elsewhere.is_null() || !diagnostic.related.empty()))
+    writeRelated(json, diagnostic, elsewhere, convert);
   if (!diagnostic.fixes.empty()) writeFixes(json, diagnostic, convert);
   return rpc::written(json.close('}').str());
 }
@@ -182,8 +183,11 @@ Json diagnosticsOf(const ide::Snapshot& snapshot, const std::filesystem::path& p
     const Converter convert(program, snapshot.open(), client.encoding);
     auto& originals = known.try_emplace(&program, program).first->second;
     const auto original = originals.of(finding.diagnostic->location);
-    result.push_back(diagnosticJson(finding, convert, client, original));
+    result.push_back(
+        diagnosticJson(finding, convert, client, original ? relatedOriginal(*original) : Json()));
   }
+  for (auto& platform : platformDiagnostics(snapshot, path, client))
+    result.push_back(std::move(platform));
   for (auto& verdict : verdictDiagnostics(verdicts, snapshot, path, client))
     result.push_back(std::move(verdict));
   return result;

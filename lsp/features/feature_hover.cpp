@@ -1,5 +1,6 @@
 #include "ide/completion/signature_help.h"
 #include "ide/features/hover.h"
+#include "lsp/features/platform.h"
 #include "lsp/protocol/convert.h"
 #include "lsp/protocol/markup.h"
 
@@ -11,6 +12,7 @@ Answer hover(const Request& request) {
   auto at = cursor(request);
   if (!at) return std::unexpected(at.error());
   auto found = ide::hover(at->view, at->at, *request.verdicts);
+  if (!found) found = platformHover(request.snapshot, at->view, at->at);
   if (!found) return nullptr;
   const Converter convert(at->view, request);
   return Json{{"contents", markupContent(found->text, request.client.markdownHover)},

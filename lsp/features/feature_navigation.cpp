@@ -1,4 +1,5 @@
 #include "ide/features/navigation.h"
+#include "ide/features/structure.h"
 #include "lsp/protocol/convert.h"
 #include "lsp/protocol/numbers.h"
 
@@ -26,6 +27,25 @@ Handler places(std::function<Places(const Cursor&, const Request&)> find) {
 
 Places onePlace(std::optional<analysis::Location> place) {
   return place ? Places{*place} : Places{};
+}
+
+/// The file whose path is at the cursor, as a list of one place: its beginning.
+Json linkedFile(const Cursor& cursor, const Request& request) {
+  const auto& view = cursor.view;
+  const Json begin{{"line", 0}, {"character", 0}};
+  Json result = Json::array();
+  for (const auto& link : ide::links(view.program().files[view.file].path, view.document()))
+    if (link.range.touches({cursor.at, cursor.at}) && request.snapshot.isFile(link.target))
+      result.push_back({{"uri", uriOf(link.target, request.snapshot)},
+                        {"range", {{"start", begin}, {"end", begin}}}});
+  return result;
+}
+
+Answer definition(const Request& request) {
+  auto at = cursor(request);
+  if (!at) return std::unexpected(at.error());
+  if (auto file = linkedFile(*at, request); !file.empty()) return file;
+  return locations(*at, request, onePlace(ide::definition(at->view, at->at)));
 }
 
 bool wantsDeclaration(const Json& params) {
@@ -61,8 +81,6 @@ Answer documentHighlight(const Request& request) {
 } // namespace
 
 void addNavigation(Registry& registry) {
-  auto definition = places(
-      [](const Cursor& at, const Request&) { return onePlace(ide::definition(at.view, at.at)); });
   registry.add("textDocument/definition", definition);
   registry.add("textDocument/declaration", definition);
   registry.add("textDocument/typeDefinition", places([](const Cursor& at, const Request&) {

@@ -1,7 +1,6 @@
 #include "ide/features/structure.h"
 #include "lsp/protocol/convert.h"
 #include "lsp/protocol/folds_json.h"
-#include "report/uri.h"
 
 namespace proskill::lsp {
 
@@ -41,11 +40,8 @@ Answer documentLink(const Request& request) {
   const Converter convert(*view, request);
   Json result = Json::array();
   for (const auto& link : ide::links(view->program().files[view->file].path, view->document())) {
-    const auto target = request.snapshot.nameOf(link.target);
-    const auto open = request.snapshot.open().find(target);
     result.push_back({{"range", convert.range(view->file, link.range)},
-                      {"target", open == request.snapshot.open().end() ? report::toUri(target)
-                                                                       : open->second.uri},
+                      {"target", uriOf(link.target, request.snapshot)},
                       {"tooltip", "Open " + link.target.filename().string()}});
   }
   return result;

@@ -84,6 +84,12 @@ std::expected<std::filesystem::path, rpc::RpcError> documentPath(const Json& par
   return pathOf(document["uri"].get<std::string>());
 }
 
+std::string uriOf(const std::filesystem::path& file, const ide::Snapshot& snapshot) {
+  const auto name = snapshot.nameOf(file);
+  const auto open = snapshot.open().find(name);
+  return open == snapshot.open().end() ? report::toUri(name) : open->second.uri;
+}
+
 std::expected<std::filesystem::path, rpc::RpcError> documentFile(const Request& request) {
   auto path = documentPath(request.params);
   return path ? request.snapshot.nameOf(*path) : path;

@@ -47,6 +47,9 @@ private:
 [[nodiscard]] std::expected<std::filesystem::path, rpc::RpcError> documentPath(const Json& params);
 [[nodiscard]] std::filesystem::path pathOf(std::string_view uri);
 
+/// The URI of a file; the client's spelling if it has the file open.
+[[nodiscard]] std::string uriOf(const std::filesystem::path& file, const ide::Snapshot& snapshot);
+
 /// The file of a request by its name in the snapshot; open or not.
 [[nodiscard]] std::expected<std::filesystem::path, rpc::RpcError>
 documentFile(const Request& request);

@@ -1,16 +1,15 @@
 #pragma once
 
-#include "analysis/program/originals.h"
 #include "ide/description/diagnostics.h"
 #include "ide/verdicts/verdicts.h"
 #include "lsp/protocol/convert.h"
 
 namespace proskill::lsp {
 
-/// \param original of the finding's place, in an imported program
+/// \param elsewhere an entry of `relatedInformation` about a file that is not of the program; null:
+/// none
 [[nodiscard]] Json diagnosticJson(const ide::Finding& finding, const Converter& convert,
-                                  const ClientFeatures& client,
-                                  const std::optional<analysis::Original>& original);
+                                  const ClientFeatures& client, const Json& elsewhere);
 
 /// The diagnostics of an open text in the protocol's format, from all its programs, each once;
 /// those of bad verdicts come last.

@@ -11,7 +11,7 @@ Json registration(const char* method, Json registerOptions) {
 
 Json watchers() {
   Json result = Json::array();
-  for (const char* pattern : {"**/*.proskill", "**/*.fcr", "**/.proskill.json"})
+  for (const char* pattern : {"**/*.proskill", "**/*.fcr", "**/*.json"})
     result.push_back({{"globPattern", pattern}});
   return result;
 }

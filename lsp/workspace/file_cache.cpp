@@ -47,6 +47,21 @@ std::filesystem::path FileCache::canonical(const std::filesystem::path& path) co
   return canonical;
 }
 
+std::expected<std::string, std::string> FileCache::read(const std::filesystem::path& path) const {
+  auto identity = disk->canonical(path).native();
+  {
+    const std::lock_guard lock(mutex);
+    dataFiles.insert(std::move(identity));
+  }
+  return disk->read(path);
+}
+
+bool FileCache::wasRead(const std::filesystem::path& path) const {
+  const auto identity = disk->canonical(path).native();
+  const std::lock_guard lock(mutex);
+  return dataFiles.contains(identity);
+}
+
 std::expected<syntax::Document, std::string>
 FileCache::document(const std::filesystem::path& path) const {
   // read before the text: a change in between then causes another read

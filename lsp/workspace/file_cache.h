@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace proskill::lsp {
 
@@ -41,8 +42,10 @@ public:
       : disk(std::move(disk)), stampOf(std::move(stampOf)), entries(mostBytes) {}
 
   [[nodiscard]] std::expected<std::string, std::string>
-  read(const std::filesystem::path& path) const override {
-    return disk->read(path);
+  read(const std::filesystem::path& path) const override;
+  [[nodiscard]] std::vector<std::filesystem::path>
+  filesBelow(const std::filesystem::path& folder, std::string_view extension) const override {
+    return disk->filesBelow(folder, extension);
   }
   [[nodiscard]] bool isFile(const std::filesystem::path& path) const override {
     return disk->isFile(path);
@@ -50,6 +53,9 @@ public:
   [[nodiscard]] std::filesystem::path canonical(const std::filesystem::path& path) const override;
   [[nodiscard]] std::expected<syntax::Document, std::string>
   document(const std::filesystem::path& path) const override;
+  /// Whether the file at this path was ever read as data, such as a platform file, or would have
+  /// been if it had existed: answers may depend on it.
+  [[nodiscard]] bool wasRead(const std::filesystem::path& path) const;
   /// Resolves all links again, also those that lead to the same file, which may have been moved.
   void followAnew();
 
@@ -69,6 +75,7 @@ private:
   mutable std::mutex mutex;
   mutable ide::LruCache<Entry> entries;
   mutable std::unordered_map<std::string, Followed> followed;
+  mutable std::unordered_set<std::string> dataFiles; ///< canonical names of what was read
 };
 
 } // namespace proskill::lsp

@@ -33,6 +33,9 @@ bool isProgramFile(const fs::path& path) {
   return path.extension() == ".proskill" || ide::isFiacre(path);
 }
 
+/// Whether a file is read by those who need it, and not as a program.
+bool isData(const fs::path& path) { return path.extension() == ".json"; }
+
 /// Whether the file itself is a symbolic link; its directories do not count.
 bool isLink(const analysis::FileSystem& disk, const ide::KnownFile& file) {
   return disk.canonical(file.name.parent_path()) / file.name.filename() != file.canonical;
@@ -188,12 +191,15 @@ std::map<fs::path, report::SettingsMistake> Workspace::mistakes() const {
   return result;
 }
 
+bool Workspace::dependsOn(const fs::path& path) const {
+  return !isData(path) || path.filename() == report::kSettingsFile || disk->wasRead(path);
+}
+
 void Workspace::readFiles(const std::vector<fs::path>& paths) {
   disk->followAnew();
   std::set<std::string> changed;
   for (const auto& path : paths)
-    if (path.filename() != report::kSettingsFile)
-      changed.insert({path.native(), disk->canonical(path).native()});
+    if (!isData(path)) changed.insert({path.native(), disk->canonical(path).native()});
   for (const auto& file : graph->files())
     if (changed.contains(file->name.native())) changed.insert(file->canonical);
   std::vector<ide::IncludeGraph::File> files;

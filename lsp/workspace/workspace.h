@@ -59,6 +59,9 @@ public:
   /// The errors in settings files that apply to open texts, for the user.
   [[nodiscard]] std::map<std::filesystem::path, report::SettingsMistake> mistakes() const;
 
+  /// Whether answers may depend on a file that has changed: one of a program, settings, or a
+  /// platform.
+  [[nodiscard]] bool dependsOn(const std::filesystem::path& path) const;
   /// Files on disk that are new or have changed; open files are not read.
   void readFiles(const std::vector<std::filesystem::path>& paths);
 

@@ -12,6 +12,7 @@ const test::MarkedProgram& programs() {
       {"main.proskill", "(include \"lib/lamp.proskill\")\n(include \"gone.proskill\")"},
       {"lib/lamp.proskill", "(include \"base.proskill\")\n(include \"/w/door.proskill\")"},
       {"lib/base.proskill", ""},
+      {"robot/robot.proskill", "(defplatform \"robot.json\")"},
       {"door.proskill", "; (include \"lib/lamp.proskill\")"},
   });
   return kPrograms;
@@ -43,6 +44,12 @@ TEST_CASE("includes follow a folder that moves") {
   CHECK(after({{"/w/lib", "/w/share/lib"}}) == "/w/main.proskill: share/lib/lamp.proskill\n");
   CHECK(after({{"/w/main.proskill", "/w/lib/main.proskill"}}) ==
         "/w/main.proskill: lamp.proskill ../gone.proskill\n");
+}
+
+TEST_CASE("a platform follows the program that moves, and stays if its folder does") {
+  CHECK(after({{"/w/robot/robot.proskill", "/w/robot.proskill"}}) ==
+        "/w/robot/robot.proskill: robot/robot.json\n");
+  CHECK(after({{"/w/robot", "/w/arm"}}) == "");
 }
 
 TEST_CASE("what moves together goes on as it is, and so does what nothing includes") {

@@ -58,3 +58,11 @@ TEST_CASE("an include links to the file that it names") {
   CHECK(links[0].range == source.range());
   CHECK(links[0].target == "/w/lib/a.proskill");
 }
+
+TEST_CASE("a platform links to its file") {
+  test::MarkedSource source("(defplatform \"[[robot/arm.json]]\") (defplatform robot)");
+  auto links = ide::links("/w/x/main.proskill", Document::parse(source.text));
+  REQUIRE(links.size() == 1);
+  CHECK(links[0].range == source.range());
+  CHECK(links[0].target == "/w/x/robot/arm.json");
+}

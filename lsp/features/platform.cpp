@@ -1,0 +1,68 @@
+#include "lsp/features/platform.h"
+
+#include "lsp/protocol/convert.h"
+#include "lsp/protocol/diagnostics.h"
+#include "report/uri.h"
+#include "runtime/check/platform_check.h"
+#include "runtime/check/platform_summary.h"
+
+#include <set>
+
+namespace proskill::lsp {
+
+namespace {
+
+/// The place in the platform file, as an entry of `relatedInformation`.
+Json relatedPlace(const runtime::PlatformFinding& finding) {
+  const Json at{{"line", finding.line - 1}, {"character", finding.column - 1}};
+  return {
+      {"location", {{"uri", report::toUri(finding.file)}, {"range", {{"start", at}, {"end", at}}}}},
+      {"message", "in the platform file"}};
+}
+
+Json findingJson(const runtime::PlatformFinding& finding, const ide::View& view,
+                 const ide::Snapshot& snapshot, const ClientFeatures& client) {
+  const Converter convert(view.program(), snapshot.open(), client.encoding);
+  return diagnosticJson({view.owner, &finding.diagnostic}, convert, client,
+                        finding.line > 0 ? relatedPlace(finding) : Json());
+}
+
+std::vector<runtime::PlatformFinding> findingsOf(const ide::Snapshot& snapshot,
+                                                 const ide::View& view) {
+  if (view.program().platforms.all.empty()) return {};
+  const auto read = [&](const std::filesystem::path& path) { return snapshot.textOf(path); };
+  const bool isSound = analysis::flow::hasFlow(view.program(), view.analysis());
+  return runtime::checkNamedPlatform(view.program(), isSound, view.owner->settings, read);
+}
+
+} // namespace
+
+Json platformDiagnostics(const ide::Snapshot& snapshot, const std::filesystem::path& file,
+                         const ClientFeatures& client) {
+  Json result = Json::array();
+  if (snapshot.kindOf(file) == ide::TextKind::Notebook) return result;
+  std::set<std::string> messages;
+  snapshot.eachView(file, [&](const ide::View& view) {
+    for (const auto& finding : findingsOf(snapshot, view))
+      if (finding.diagnostic.location.file == view.file &&
+          messages.insert(finding.diagnostic.message).second)
+        result.push_back(findingJson(finding, view, snapshot, client));
+  });
+  return result;
+}
+
+std::optional<ide::Hover> platformHover(const ide::Snapshot& snapshot, const ide::View& view,
+                                        syntax::Offset at) {
+  const auto named = analysis::namedPlatform(view.program());
+  if (!named || named->at.file != view.file || !named->at.range.contains(at)) return std::nullopt;
+  const auto text = snapshot.textOf(named->file);
+  const auto summary = text ? runtime::platformSummary(*text, view.program()) : std::nullopt;
+  if (!summary) return std::nullopt;
+  ide::Hover hover{{}, named->at.range};
+  hover.text.prose(summary->sentence);
+  for (const auto& [skill, performer] : summary->actions)
+    hover.text.prose("`" + skill + "`: " + performer);
+  return hover;
+}
+
+} // namespace proskill::lsp
