@@ -13,7 +13,7 @@ OrderedJson placeJson(SourcePlace place, syntax::Offset offset) {
   return {{"line", place.line}, {"column", place.column}, {"offset", offset}};
 }
 
-OrderedJson locationJson(SourcePlaces& places, analysis::Location location) {
+OrderedJson placeJson(SourcePlaces& places, analysis::Location location) {
   return {{"file", places.path(location.file)},
           {"begin", placeJson(places.begin(location), location.range.begin)},
           {"end", placeJson(places.end(location), location.range.end)}};
@@ -23,14 +23,14 @@ OrderedJson diagnosticJson(SourcePlaces& places, analysis::ProgramOriginals& ori
                            const syntax::Diagnostic& diagnostic) {
   OrderedJson related = OrderedJson::array(), fixes = OrderedJson::array();
   for (const syntax::Related& it : diagnostic.related)
-    related.push_back({{"message", it.message}, {"location", locationJson(places, it.location)}});
+    related.push_back({{"message", it.message}, {"location", placeJson(places, it.location)}});
   for (const syntax::Fix& it : diagnostic.fixes)
     fixes.push_back(
-        {{"title", it.title}, {"location", locationJson(places, it.location)}, {"text", it.text}});
+        {{"title", it.title}, {"location", placeJson(places, it.location)}, {"text", it.text}});
   OrderedJson json{{"code", syntax::info(diagnostic.code).id},
                    {"severity", words(diagnostic.severity)},
                    {"message", diagnostic.message},
-                   {"location", locationJson(places, diagnostic.location)},
+                   {"location", placeJson(places, diagnostic.location)},
                    {"related", related},
                    {"fixes", fixes}};
   if (const auto original = originals.of(diagnostic.location))

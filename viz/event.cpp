@@ -3,10 +3,11 @@
 namespace proskill::viz {
 namespace {
 
-using Definition = analysis::Definition<syntax::Event>;
+using EventDefinition = analysis::Definition<syntax::Event>;
 
 /// What the event waits for, again after each occurrence.
-std::size_t drawWait(Builder& builder, const analysis::Program& program, const Definition& event) {
+std::size_t drawWait(Builder& builder, const analysis::Program& program,
+                     const EventDefinition& event) {
   if (event->every)
     return builder.node(NodeRole::Wait, builder.seconds(*event->every), event->every->range,
                         {"since it occurred last, or since the start"});
@@ -19,9 +20,9 @@ std::size_t drawWait(Builder& builder, const analysis::Program& program, const D
 
 } // namespace
 
-bool hasTimesOfItsOwn(const Definition& event) { return event->every || event->guard; }
+bool hasTimesOfItsOwn(const EventDefinition& event) { return event->every || event->guard; }
 
-Graph drawEvent(const analysis::Program& program, const Definition& event) {
+Graph drawEvent(const analysis::Program& program, const EventDefinition& event) {
   Builder builder(program, event.file);
   builder.graph.title = "event " + std::string(event.name());
   const auto start = builder.node(NodeRole::Start, {}, event->name.range);

@@ -8,12 +8,12 @@
 namespace proskill::viz {
 namespace {
 
-using Definition = analysis::Definition<syntax::StateVariable>;
+using VariableDefinition = analysis::Definition<syntax::StateVariable>;
 using Move = std::pair<std::string_view, std::string_view>;
 
 class StateVariablePicture {
 public:
-  StateVariablePicture(const analysis::Program& program, const Definition& shown)
+  StateVariablePicture(const analysis::Program& program, const VariableDefinition& shown)
       : variable(shown), builder(program, shown.file) {
     for (const auto& listed : variable->transitions)
       allowed.insert({listed.from.text, listed.to.text});
@@ -110,14 +110,14 @@ private:
     return std::nullopt;
   }
 
-  const Definition& variable;
+  const VariableDefinition& variable;
   Builder builder;
   std::set<Move> allowed;
 };
 
 } // namespace
 
-Graph drawStateVariable(const analysis::Program& program, const Definition& variable,
+Graph drawStateVariable(const analysis::Program& program, const VariableDefinition& variable,
                         bool forbidden) {
   return StateVariablePicture(program, variable).draw(forbidden);
 }

@@ -7,13 +7,14 @@ namespace proskill::verify {
 
 namespace {
 
-constexpr std::size_t kLongest = 300; ///< nodes of a walk; the missions of bench/ take 30 to 200
+constexpr std::size_t kLongestWalk =
+    300; ///< nodes of a walk; the missions of bench/ take 30 to 200
 
 } // namespace
 
 RandomWalks::Node RandomWalks::take() {
   std::optional<Node> successor;
-  if (!next.empty() && length++ < kLongest) successor = takeFrom(next);
+  if (!next.empty() && length++ < kLongestWalk) successor = takeFrom(next);
   left.insert(left.end(), next.begin(), next.end());
   next.clear();
   if (successor) return *successor;

@@ -7,13 +7,13 @@ namespace proskill::verify {
 
 namespace {
 
-constexpr std::size_t kLongest = std::size_t{1} << 30; // bytes
+constexpr std::size_t kLongestItem = std::size_t{1} << 30; // bytes
 
 } // namespace
 
 DistinctCount::DistinctCount(Ranks& over)
     : ranks(over), exchange(over, [this](unsigned, CheckpointReader& records) {
-        while (records.flag()) items.insert(records.text(kLongest));
+        while (records.flag()) items.insert(records.text(kLongestItem));
       }) {}
 
 void DistinctCount::add(std::string_view item) {

@@ -9,9 +9,9 @@ namespace proskill::verify {
 
 namespace {
 
-class Slicer {
+class RelevanceSearch {
 public:
-  Slicer(const System& of, const std::vector<Goal>& asked, LimitWatch& watch)
+  RelevanceSearch(const System& of, const std::vector<Goal>& asked, LimitWatch& watch)
       : system(of), goals(asked), limits(watch), pathsOf(of.instances.size()) {
     for (PathId i = 0; i < system.paths.size(); ++i) pathsOf[system.paths[i].instance].push_back(i);
   }
@@ -112,7 +112,7 @@ private:
 } // namespace
 
 Relevance findRelevant(const System& system, const std::vector<Goal>& goals, LimitWatch& limits) {
-  return Slicer(system, goals, limits).run();
+  return RelevanceSearch(system, goals, limits).run();
 }
 
 Relevance everything(const System& system) {
