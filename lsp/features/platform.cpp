@@ -6,6 +6,8 @@
 #include "runtime/check/platform_check.h"
 #include "runtime/check/platform_summary.h"
 
+#include <fmt/format.h>
+
 #include <set>
 
 namespace proskill::lsp {
@@ -61,7 +63,7 @@ std::optional<ide::Hover> platformHover(const ide::Snapshot& snapshot, const ide
   ide::Hover hover{{}, named->at.range};
   hover.text.prose(summary->sentence);
   for (const auto& [skill, performer] : summary->actions)
-    hover.text.prose("`" + skill + "`: " + performer);
+    hover.text.prose(fmt::format("`{}`: {}", skill, performer));
   return hover;
 }
 
