@@ -4,6 +4,7 @@
 #include "report/run/mcap.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace proskill::report {
@@ -79,15 +80,82 @@ std::vector<verify::Change> initialOf(const Json& value) {
   return all;
 }
 
-/// The trace that a recording contains, as JSON: itself, or what an MCAP file has of it.
-std::expected<std::string, std::string> wholeTrace(std::string recording) {
-  if (!mcap::isMcap(recording)) return recording;
-  const auto content = mcap::read(recording, "/steps");
-  if (!content) return std::unexpected(content.error());
+/// Reads the steps one by one, so that no more than one of them is kept as JSON.
+class RunReader {
+public:
+  explicit RunReader(const analysis::Program& of) : program(of) {}
+
+  void step(const Json& step) {
+    if (!step.is_object()) throw Wrong{"a step must be an object"};
+    if (!step.contains("remark")) run.steps.push_back(stepOf(step, program));
+    if (word(step, "remark") == "started") run.calls.push_back(callOf(step, run.steps.size()));
+  }
+  /// What a trace has beside its steps.
+  void head(const Json& trace, std::string& main) {
+    if (word(trace, "verdict") != "recorded") throw Wrong{"it is not a recorded run"};
+    main = word(trace, "main");
+    run.environment = trace.contains("environment") && trace["environment"] == true;
+    run.initial = initialOf(trace);
+  }
+
+  runtime::RecordedRun run;
+
+private:
+  const analysis::Program& program;
+};
+
+constexpr int kDeepest = 1000; ///< values within each other
+
+Json parsed(std::string_view text, const Json::parser_callback_t& each) {
+  return Json::parse(
+      text,
+      [&](int depth, Json::parse_event_t event, Json& value) {
+        if (depth > kDeepest) throw Wrong{"its values are nested too deeply"};
+        return each(depth, event, value);
+      },
+      false);
+}
+
+Json parsed(std::string_view text) {
+  auto value = parsed(text, [](int, Json::parse_event_t, Json&) { return true; });
+  if (value.is_discarded()) throw Wrong{"it is not JSON"};
+  return value;
+}
+
+/// A trace in one text; nothing if it is not JSON.
+std::optional<runtime::RecordedRun>
+runOfTrace(std::string_view text, const analysis::Program& program, std::string& main) {
+  using Event = Json::parse_event_t;
+  RunReader reader(program);
+  bool isNamedSteps = false;
+  bool isInSteps = false;
+  const auto trace = parsed(text, [&](int depth, Event event, Json& value) {
+    if (depth == 1 && event == Event::key) isNamedSteps = value == "steps";
+    if (depth == 1 && event == Event::array_start) isInSteps = isNamedSteps;
+    if (depth == 1 && event == Event::array_end) isInSteps = false;
+    if (depth != 2 || event != Event::object_end || !isInSteps) return true;
+    reader.step(value);
+    return false; // it is not kept
+  });
+  if (trace.is_discarded()) return std::nullopt;
+  const auto steps = trace.find("steps");
+  if (steps == trace.end() || !steps->is_array()) throw Wrong{"it has no steps"};
+  for (const auto& step : *steps) reader.step(step); // none of them is an object
+  reader.head(trace, main);
+  return std::move(reader.run);
+}
+
+runtime::RecordedRun runOfMcap(std::string_view bytes, const analysis::Program& program,
+                               std::string& main) {
+  const auto content = mcap::read(bytes, "/steps");
+  if (!content) throw Wrong{content.error()};
   const auto head = content->metadata.find(std::string(kTraceHead));
   if (head == content->metadata.end() || !head->second.ends_with('}'))
-    return std::unexpected("it was not recorded by `proskill run`, or by an older one");
-  return traceWith(head->second, content->messages);
+    throw Wrong{"it was not recorded by `proskill run`, or by an older one"};
+  RunReader reader(program);
+  reader.head(parsed(head->second), main);
+  for (const auto message : content->messages) reader.step(parsed(message));
+  return std::move(reader.run);
 }
 
 } // namespace
@@ -117,24 +185,10 @@ std::string traceWith(std::string head, const std::vector<std::string_view>& ste
 std::expected<runtime::RecordedRun, std::string>
 readRecording(std::string_view recording, const analysis::Program& program, std::string& main) {
   try {
-    const auto text = wholeTrace(std::string(recording));
-    if (!text) return std::unexpected(text.error());
-    auto value = Json::parse(*text, nullptr, false);
-    if (value.is_discarded()) value = Json::parse(completed(*text), nullptr, false);
-    if (value.is_discarded()) return std::unexpected("it is not JSON");
-    if (!value.is_object() || !value.contains("steps") || !value["steps"].is_array())
-      return std::unexpected("it has no steps");
-    if (word(value, "verdict") != "recorded") return std::unexpected("it is not a recorded run");
-    main = word(value, "main");
-    runtime::RecordedRun run;
-    run.environment = value.contains("environment") && value["environment"] == true;
-    run.initial = initialOf(value);
-    for (const auto& step : value["steps"]) {
-      if (!step.is_object()) return std::unexpected("a step must be an object");
-      if (!step.contains("remark")) run.steps.push_back(stepOf(step, program));
-      if (word(step, "remark") == "started") run.calls.push_back(callOf(step, run.steps.size()));
-    }
-    return run;
+    if (mcap::isMcap(recording)) return runOfMcap(recording, program, main);
+    if (auto run = runOfTrace(recording, program, main)) return std::move(*run);
+    if (auto run = runOfTrace(completed(recording), program, main)) return std::move(*run);
+    return std::unexpected("it is not JSON");
   } catch (const Wrong& wrong) {
     return std::unexpected(wrong.why);
   }
