@@ -3,12 +3,15 @@
 #include "tests/support/thread_ranks.h"
 
 #include "fiacre/print/print.h"
+#include "verify/ranks/recently_sent.h"
 #include "verify/verify.h"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <atomic>
+#include <random>
+#include <set>
 #include <sstream>
 
 namespace proskill::test::ranks_test {
@@ -153,6 +156,23 @@ TEST_CASE("ranks count the same state classes") {
       CHECK(countsOf(*alone) == shared);
     }
   }
+}
+
+TEST_CASE("what is said to have been sent was sent") {
+  std::mt19937 random(1);
+  verify::RecentlySent recently(2);
+  std::set<std::tuple<verify::Word, verify::Word, verify::ZoneId>> sent;
+  std::size_t skipped = 0;
+  for (int i = 0; i < 100'000; ++i) {
+    const verify::Word state[2] = {random() % 300, random() % 300};
+    const auto zone = static_cast<verify::ZoneId>(random() % 3);
+    const bool isNew = sent.insert({state[0], state[1], zone}).second;
+    const bool isSent = recently.note(state, zone);
+    if (isNew) REQUIRE(isSent);
+    if (!isSent) ++skipped;
+    REQUIRE_FALSE(recently.note(state, zone));
+  }
+  CHECK(skipped > 0);
 }
 
 } // namespace proskill::test::ranks_test

@@ -16,9 +16,12 @@ constexpr std::size_t kLongestText = std::size_t{1} << 16; // bytes
 } // namespace
 
 Progress RankExplorer::progress() const {
-  return {all.classes,       all.markings,
-          all.nodes,         graph.bytes() + candidates.bytes() + exchange.bytes(),
-          limits.seconds(),  goals.goals.size() - open,
+  return {all.classes,
+          all.markings,
+          all.nodes,
+          graph.bytes() + candidates.bytes() + recentlySent.bytes() + exchange.bytes(),
+          limits.seconds(),
+          goals.goals.size() - open,
           goals.goals.size()};
 }
 

@@ -24,6 +24,7 @@ RankExplorer::RankExplorer(const System& of, const std::vector<Goal>& asked, con
       pathSteps(of, with, walker, expander),
       exchange(shared, [this](unsigned from, CheckpointReader& to) { receive(from, to); }),
       candidates(of.storedWords),
+      recentlySent(of.storedWords),
       lastSent(shared.count(), std::vector<Word>(of.storedWords)),
       stored(of.storedWords),
       received(of.storedWords) {
@@ -94,7 +95,7 @@ void RankExplorer::store(NodePlace from) {
     const Word* words = work.words.data() + it.state;
     const unsigned owner = ownerOf(words);
     if (owner != ranks.self())
-      send(owner, it, from, words);
+      sendOnce(owner, it, from, words);
     else if (!isCovered(words, graph.timing.zones().matrix(it.zone)))
       candidates.add(words, {0, it.zone, from, it.transition});
   }
@@ -105,6 +106,12 @@ unsigned RankExplorer::ownerOf(const Word* state) const {
   for (std::uint32_t i = 0; i < system.storedWords; ++i) hash = mix(hash, state[i]);
   hash = mix(hash, hash >> 32);
   return static_cast<unsigned>((hash >> 32) * ranks.count() >> 32);
+}
+
+/// Skips what the owner already has because it was sent lately.
+void RankExplorer::sendOnce(unsigned to, const Successor& successor, NodePlace from,
+                            const Word* words) {
+  if (recentlySent.note(words, successor.zone)) send(to, successor, from, words);
 }
 
 /// Most states of a message differ little from the one before.

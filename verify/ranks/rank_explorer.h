@@ -4,6 +4,7 @@
 #include "verify/ranks/candidates.h"
 #include "verify/ranks/distinct_count.h"
 #include "verify/ranks/exchange.h"
+#include "verify/ranks/recently_sent.h"
 
 namespace proskill::verify {
 
@@ -63,6 +64,7 @@ private:
   void expand(NodeIndex node);
   void store(NodePlace from);
   [[nodiscard]] unsigned ownerOf(const Word* state) const;
+  void sendOnce(unsigned to, const Successor& successor, NodePlace from, const Word* words);
   void send(unsigned to, const Successor& successor, NodePlace from, const Word* words);
   void receive(unsigned from, CheckpointReader& records);
   void receiveRecord(unsigned from, CheckpointReader& records);
@@ -102,8 +104,9 @@ private:
   PathSteps pathSteps;
   Exchange exchange;
   Candidates candidates;
-  Column parentRanks;                      ///< by node: 1 + the rank of its parent; 0: it has none
-  Column parents;                          ///< by node: its number there
+  Column parentRanks; ///< by node: 1 + the rank of its parent; 0: it has none
+  Column parents;     ///< by node: its number there
+  RecentlySent recentlySent;
   std::vector<std::vector<Word>> lastSent; ///< by rank: the last state of the message being made
   std::vector<Find> finds;                 ///< of this level
   Level all;                               ///< of all ranks together, after the last level
