@@ -175,6 +175,26 @@ TEST_CASE("what a tree cannot say is an error with its place") {
         "p:2:28: a tree cannot say this: a precondition\n");
 }
 
+TEST_CASE("the guards of a composite skill are tested at each tick") {
+  const auto said = [](const std::string& guard, const std::string& body) {
+    return errorsText(emitted(kSkills + ("(defskill part :invariant (calm " + guard +
+                                         ") :body ((a)))\n(defskill Main :body (" + body + "))")));
+  };
+  const auto tree = emitted(kSkills + std::string("(defskill Main :invariant (calm (:guard (and (c "
+                                                  "Yes) true))) :body ((a)))"));
+  REQUIRE(tree);
+  CHECK(tree->tree.text.contains("    <ReactiveSequence>\n"
+                                 "      <Condition ID=\"c\"/>\n"
+                                 "      <ForceSuccess>\n"));
+  CHECK(said("(:guard (c Yes))", "(part)") == "none");
+  CHECK(said("(:guard (c Yes))", "(part) (if (c No) (a))") ==
+        "p:7:42: a tree cannot say this: a guard with `c`, which is tested elsewhere, too\n");
+  CHECK(said("(:guard (= n 1))", "(set (n 1)) (part)") ==
+        "p:7:44: a tree cannot say this: a guard with `n`, which skills change\n");
+  CHECK(said("(:guard (c Yes) :effects (n 1))", "(part)") ==
+        "p:7:58: a tree cannot say this: an effect of a composite skill\n");
+}
+
 TEST_CASE("a test of an input is an error with its place") {
   const auto tested = [](const std::string& condition) {
     return errorsText(emitted("(defskill walk :input ($fast bool) :action (walk))\n"

@@ -15,7 +15,7 @@ using Skills = std::vector<std::string>;
 class MissionWriter {
 public:
   explicit MissionWriter(std::uint64_t seed)
-      : random(seed), hasTimes(seed % 2 == 0), isRefusing(seed % 8 < 2) {}
+      : random(seed), hasTimes(seed % 2 == 0), isRefusing(seed % 8 < 2), isGuarded(seed % 3 == 0) {}
 
   std::string program() {
     std::string text;
@@ -28,6 +28,10 @@ public:
       text += fmt::format("(defskill a{}{} :action (go) :success ok{})\n", i,
                           i == 4 && isRefusing ? " :precondition (on (c0 Yes))" : "",
                           i < 3 ? " :failure bad" : "");
+    if (isGuarded)
+      text += "(defsv calm :states (Yes No) :init Yes)\n"
+              "(defevent calms :effects (calm Yes))\n"
+              "(defevent storms :effects (calm No))\n";
     text += skill("part", {"a0", "a1"});
     return text + skill("Main", {"a1", "a2", "a3", "a4", "part"});
   }
@@ -35,7 +39,9 @@ public:
 private:
   std::string skill(const std::string& name, const Skills& skills) {
     const auto body = block(skills, name == "Main" ? 3 : 1, true);
-    return fmt::format("(defskill {} :success ok :failure bad\n :body ({}))\n", name, body);
+    const auto guard = isGuarded && name == "part" ? " :invariant (on (:guard (calm Yes)))" : "";
+    return fmt::format("(defskill {} :success ok :failure bad{}\n :body ({}))\n", name, guard,
+                       body);
   }
 
   std::string block(const Skills& skills, int depth, bool mayLeave) {
@@ -117,6 +123,7 @@ private:
   RandomSource random;
   bool hasTimes;
   bool isRefusing; ///< whether the call of a4 may be refused
+  bool isGuarded;  ///< whether `part` has a guard
   int count = 0;
   int labels = 0;
 };

@@ -76,7 +76,8 @@ void Calls::checkFields(const Definition<syntax::Skill>& skill) {
     draft.note(skill.at(at), fmt::format("{}: that is up to the leaf", what));
   };
   for (const auto& each : skill->preconditions) check(each.range, "a precondition");
-  for (const auto& each : skill->invariants) check(each.range, "an invariant");
+  for (const auto& each : skill->invariants)
+    if (!skill->isComposite()) check(each.range, "an invariant");
   for (const auto& each : skill->resources) check(each.range, "a resource");
   if (skill->interrupt) check(skill->interrupt->range, "an interruption from outside");
   if (skill->unstoppable)
@@ -94,6 +95,8 @@ void Calls::checkEffects(const Definition<syntax::Skill>& skill) {
     draft.note(at, "an effect: that is up to the leaf");
   };
   effects(skill->start);
+  if (skill->isComposite())
+    for (const auto& guard : skill->invariants) effects(guard.effects);
   for (const auto* outcomes : {&skill->successes, &skill->failures})
     for (const auto& outcome : *outcomes) {
       effects(outcome.effects);

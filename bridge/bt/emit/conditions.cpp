@@ -15,6 +15,19 @@ Element Conditions::of(const syntax::Expr& test, analysis::FileId at) {
   return another(test, at);
 }
 
+Element Conditions::ofGuard(const syntax::Expr& test, analysis::FileId at) {
+  isGuard = true;
+  auto made = of(test, at);
+  isGuard = false;
+  return made;
+}
+
+void Conditions::checkGuards() {
+  for (const auto& [variable, at] : guarded)
+    if (tests[variable] > 1)
+      draft.fail(at, fmt::format("a guard with `{}`, which is tested elsewhere, too", variable));
+}
+
 Element Conditions::another(const syntax::Expr& test, analysis::FileId at) {
   file = at;
   switch (test.kind) {
@@ -98,6 +111,10 @@ Element Conditions::test(const syntax::Name& variable, const syntax::Expr& state
                 fmt::format("a test of the number `{}`, which skills change", variable.text));
   if (state.kind != Is::Symbol && changed != Changed::ByBodies)
     return fail(state, "a test for a state that is not spelt out");
+  if (isGuard && changed == Changed::Otherwise)
+    return fail(state, fmt::format("a guard with `{}`, which skills change", variable.text));
+  if (isGuard) guarded.emplace(variable.text, analysis::Location{file, variable.range});
+  ++tests[variable.text];
   switch (changed) {
   case Changed::Freely:
   case Changed::Never:
@@ -140,6 +157,9 @@ std::string Conditions::entry(const syntax::Name& variable) {
   if (variables.changed(variable.text) != Changed::ByBodies)
     draft.fail({file, variable.range},
                fmt::format("a script with `{}`, which not only bodies change", variable.text));
+  if (isGuard)
+    draft.fail({file, variable.range},
+               fmt::format("a guard with `{}`, which skills change", variable.text));
   entries.insert(variable.text);
   return fmt::format("@{}", variable.text);
 }

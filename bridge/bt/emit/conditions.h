@@ -23,6 +23,11 @@ public:
   }
   /// The same without `begin()`.
   Element another(const syntax::Expr& test, analysis::FileId file);
+  /// A node for a test that is made at each tick.
+  Element ofGuard(const syntax::Expr& test, analysis::FileId file);
+  /// Reports guards with variables that are tested elsewhere, too: in a tree, one of the two may
+  /// see the other value. Call this after all tests have been written.
+  void checkGuards();
   /// A script that changes entries of the blackboard; empty after an error.
   std::string script(const syntax::Effects& effects, analysis::FileId file);
   /// A script that gives the entries that are used their first values; empty if there are none.
@@ -47,6 +52,9 @@ private:
 
   Draft& draft;
   std::set<std::string_view> seen;
+  std::map<std::string_view, std::size_t> tests; ///< by variable that events change
+  std::map<std::string_view, analysis::Location> guarded;
+  bool isGuard = false;
   std::set<std::string_view> entries;
   bool hasReported = false;
   analysis::FileId file = 0;

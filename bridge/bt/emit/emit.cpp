@@ -36,6 +36,7 @@ public:
       auto& main = root.children.front().children.front();
       main = inOrder(true, element("Script", {{"code", code}}), std::move(main));
     }
+    conditions.checkGuards();
     root.children.push_back(model());
     noteTheRest();
     return root;
@@ -51,8 +52,18 @@ public:
 
 private:
   Element tree(const Definition<syntax::Skill>& skill) {
-    auto body = Statements(draft, conditions, calls, skill).body();
+    auto body = guarded(skill, Statements(draft, conditions, calls, skill).body());
     return element("BehaviorTree", {{"ID", Calls::nameOf(skill)}}, {std::move(body)});
+  }
+
+  /// A body that ends with a failure as soon as a guard of its skill is false.
+  Element guarded(const Definition<syntax::Skill>& skill, Element body) {
+    if (skill->invariants.empty()) return body;
+    std::vector<Element> children;
+    for (const auto& each : skill->invariants)
+      children.push_back(conditions.ofGuard(each.guard, skill.file));
+    children.push_back(std::move(body));
+    return element("ReactiveSequence", {}, std::move(children));
   }
 
   Element model() {
