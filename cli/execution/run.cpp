@@ -98,7 +98,7 @@ public:
     const auto platformText = read(arguments.platform, named);
     const auto scriptText = read(arguments.script);
     const auto kind = runtime::platformKind(platformText.value_or("{}"));
-    if (!kind) return fail(arguments.platform + ":" + kind.error());
+    if (!kind) return failFile(arguments.platform, kind.error());
     if (*kind == "process") return runOnProcess(*platformText);
     if (*kind == "library") return runOnLibrary(*platformText);
     if (*kind == "ros1") return runOnRos(*platformText, runtime::Ros::One);
@@ -123,6 +123,10 @@ private:
     executable = std::move(*made);
   }
 
+  static int failFile(const std::string& path, const runtime::FileError& error) {
+    return fail(path + ":" + error.text());
+  }
+
   int runSimulated(const std::optional<std::string>& platformText,
                    const std::optional<std::string>& scriptText) {
     const bool said = runtime::speaksForEnvironment(platformText.value_or("")) ||
@@ -131,10 +135,10 @@ private:
     auto settings = defaultSettings(*executable);
     if (platformText)
       if (auto wrong = readPlatform(*platformText, executable->model, settings))
-        return fail(arguments.platform + ":" + *wrong);
+        return failFile(arguments.platform, *wrong);
     if (scriptText)
       if (auto wrong = readScript(*scriptText, executable->model, settings))
-        return fail(arguments.script + ":" + *wrong);
+        return failFile(arguments.script, *wrong);
     const auto platform = simulatedPlatform(std::move(settings), arguments.seed + 1);
     isSimulation = true;
     return runOn(*platform, clockFactor(arguments.clock));
@@ -144,7 +148,7 @@ private:
     runtime::ProcessSettings settings;
     prepareForProcess(settings);
     if (const auto wrong = readProcessPlatform(text, settings))
-      return fail(arguments.platform + ":" + *wrong);
+      return failFile(arguments.platform, *wrong);
     return runOnProcess(std::move(settings), arguments.platform);
   }
 
@@ -154,14 +158,14 @@ private:
     runtime::LibrarySettings settings;
     prepareForProcess(settings.process);
     if (const auto wrong = readLibraryPlatform(text, executable->model, settings))
-      return fail(arguments.platform + ":" + *wrong);
+      return failFile(arguments.platform, *wrong);
     auto& process = settings.process;
     process.name = "the process of the library";
     process.isOurs = true;
     process.command = {"/proc/self/exe", "platform-host", settings.library};
     for (const auto& [skill, function] : settings.functions)
       process.command.push_back(fmt::format("{}={}", skill, function));
-    return runOnProcess(std::move(process), arguments.platform + ":" + settings.place);
+    return runOnProcess(std::move(process), arguments.platform + ":" + settings.place.text());
   }
 
   /// Starts the adapter of the Python package, which speaks with ROS.
@@ -173,8 +177,8 @@ private:
     const auto library = ros == runtime::Ros::Two ? ddsLibrary() : std::string();
     if (const auto wrong =
             readRosPlatform(text, ros, program, executable->model, settings, library))
-      return wrong->skill.empty() ? fail(arguments.platform + ":" + wrong->why)
-                                  : failUnusable(*wrong, arguments.platform);
+      return wrong->skill.empty() ? failFile(arguments.platform, *wrong)
+                                  : failUnusable({wrong->why, wrong->skill}, arguments.platform);
     if (ros == runtime::Ros::Two && library.empty())
       return fail("platforms of kind `ros2` need Fast DDS: build `proskill` with libfastrtps-dev");
     settings.name = "the ROS adapter";

@@ -15,18 +15,17 @@ namespace proskill::lsp {
 namespace {
 
 /// The place in the platform file, as an entry of `relatedInformation`.
-Json relatedPlace(const runtime::PlatformFinding& finding) {
-  const Json at{{"line", finding.line - 1}, {"character", finding.column - 1}};
-  return {
-      {"location", {{"uri", report::toUri(finding.file)}, {"range", {{"start", at}, {"end", at}}}}},
-      {"message", "in the platform file"}};
+Json relatedPlace(const std::filesystem::path& file, runtime::FilePlace place) {
+  const Json at{{"line", place.line - 1}, {"character", place.column - 1}};
+  return {{"location", {{"uri", report::toUri(file)}, {"range", {{"start", at}, {"end", at}}}}},
+          {"message", "in the platform file"}};
 }
 
 Json findingJson(const runtime::PlatformFinding& finding, const ide::View& view,
                  const ide::Snapshot& snapshot, const ClientFeatures& client) {
   const Converter convert(view.program(), snapshot.open(), client.encoding);
   return diagnosticJson({view.owner, &finding.diagnostic}, convert, client,
-                        finding.line > 0 ? relatedPlace(finding) : Json());
+                        finding.place ? relatedPlace(finding.file, *finding.place) : Json());
 }
 
 std::vector<runtime::PlatformFinding> findingsOf(const ide::Snapshot& snapshot,

@@ -6,7 +6,7 @@
 #include "syntax/diagnostics/codes.h"
 
 #include <algorithm>
-#include <charconv>
+#include <map>
 #include <set>
 
 namespace proskill::runtime {
@@ -26,20 +26,6 @@ SimulationSettings roomFor(const PlatformInterface& interface) {
   return settings;
 }
 
-/// Takes the place from an error in the form `3:14: MESSAGE`.
-PlatformError placed(const std::string& error) {
-  PlatformError made;
-  const auto* end = error.data() + error.size();
-  const auto line = std::from_chars(error.data(), end, made.line);
-  const auto column = std::from_chars(line.ptr + 1, end, made.column);
-  made.why = std::string(column.ptr + 2, end);
-  return made;
-}
-
-std::optional<PlatformError> placed(const std::optional<std::string>& error) {
-  return error ? std::optional(placed(*error)) : std::nullopt;
-}
-
 /// Notes the events of the program that none of these sensors reports.
 void noteSilentEvents(const Json& mapping, const analysis::Program& program,
                       PlatformCheck& result) {
@@ -53,38 +39,34 @@ void noteSilentEvents(const Json& mapping, const analysis::Program& program,
       result.silentEvents.push_back(std::move(name));
 }
 
-std::optional<PlatformError> checkRos(std::string_view text, Ros ros,
-                                      const analysis::Program& program,
-                                      const PlatformInterface& interface, PlatformCheck& result) {
+std::optional<FileError> checkRos(std::string_view text, Ros ros, const analysis::Program& program,
+                                  const PlatformInterface& interface, PlatformCheck& result) {
   ProcessSettings settings;
-  const auto wrong = readRosPlatform(text, ros, program, interface, settings);
+  auto wrong = readRosPlatform(text, ros, program, interface, settings);
   if (!wrong) noteSilentEvents(parsedText(settings.settings), program, result);
-  if (!wrong) return std::nullopt;
-  if (wrong->skill.empty()) return placed(wrong->why);
-  return PlatformError{.why = wrong->why, .skill = wrong->skill};
+  return wrong;
 }
 
-std::optional<PlatformError> checkKind(const std::string& kind, std::string_view text,
-                                       const analysis::Program& program,
-                                       const PlatformInterface& interface, PlatformCheck& result) {
+std::optional<FileError> checkKind(const std::string& kind, std::string_view text,
+                                   const analysis::Program& program,
+                                   const PlatformInterface& interface, PlatformCheck& result) {
   if (kind == "ros1") return checkRos(text, Ros::One, program, interface, result);
   if (kind == "ros2") return checkRos(text, Ros::Two, program, interface, result);
   if (kind == "process") {
     ProcessSettings settings;
-    return placed(readProcessPlatform(text, settings));
+    return readProcessPlatform(text, settings);
   }
   if (kind == "library") {
     LibrarySettings settings;
-    return placed(readLibraryPlatform(text, interface, settings));
+    return readLibraryPlatform(text, interface, settings);
   }
   auto settings = roomFor(interface);
-  return placed(readPlatform(text, interface, settings));
+  return readPlatform(text, interface, settings);
 }
 
-syntax::Diagnostic diagnosticOf(const PlatformError& error, const analysis::Program& program,
+syntax::Diagnostic diagnosticOf(const FileError& error, const analysis::Program& program,
                                 const analysis::NamedPlatform& named) {
-  const auto place =
-      error.line == 0 ? "" : ":" + std::to_string(error.line) + ":" + std::to_string(error.column);
+  const auto place = error.place ? ":" + error.place->text() : "";
   auto made =
       syntax::makeDiagnostic(Code::WrongPlatform, named.at, named.written, place, error.why);
   if (const auto* skill = program.skills.find(error.skill))
@@ -118,22 +100,24 @@ std::vector<PlatformFinding> findingsOf(const analysis::Program& program, bool i
          named.file}};
   const auto [error, silentEvents] = checkFor(program, isSound, *text);
   std::vector<PlatformFinding> found;
-  if (error)
-    found.push_back({diagnosticOf(*error, program, named), named.file, error->line, error->column});
+  if (error) found.push_back({diagnosticOf(*error, program, named), named.file, error->place});
   for (const auto& name : silentEvents)
     found.push_back({silenceOf(name, program, named), named.file});
   return found;
 }
 
-/// Gives a diagnostic the severity of the settings. \return whether it is reported
-bool weigh(syntax::Diagnostic& diagnostic, const analysis::Program& program,
+/// Gives findings the severities of the settings, and removes those that are ignored. Their
+/// messages differ.
+void weigh(std::vector<PlatformFinding>& found, const analysis::Program& program,
            const analysis::flow::Settings& settings) {
   namespace flow = analysis::flow;
-  auto left = flow::withoutIgnored(program, flow::weighed({diagnostic}, settings));
-  const auto kept = std::ranges::find(left, diagnostic.code, &syntax::Diagnostic::code);
-  if (kept == left.end()) return false;
-  diagnostic = std::move(*kept);
-  return true;
+  std::vector<syntax::Diagnostic> all;
+  for (const auto& each : found) all.push_back(each.diagnostic);
+  std::map<std::string, syntax::Diagnostic> left;
+  for (auto& each : flow::withoutIgnored(program, flow::weighed(std::move(all), settings)))
+    left.emplace(each.message, std::move(each));
+  std::erase_if(found, [&](const auto& it) { return !left.contains(it.diagnostic.message); });
+  for (auto& each : found) each.diagnostic = left.at(each.diagnostic.message);
 }
 
 } // namespace
@@ -143,7 +127,7 @@ PlatformCheck checkPlatform(std::string_view text, const analysis::Program& prog
   PlatformCheck result;
   const auto kind = platformKind(text);
   if (!kind)
-    result.error = placed(kind.error());
+    result.error = kind.error();
   else if (interface)
     result.error = checkKind(*kind, text, program, *interface, result);
   return result;
@@ -155,7 +139,7 @@ std::vector<PlatformFinding> checkNamedPlatform(const analysis::Program& program
   const auto named = analysis::namedPlatform(program);
   if (!named) return {};
   auto found = findingsOf(program, isSound, *named, read);
-  std::erase_if(found, [&](auto& each) { return !weigh(each.diagnostic, program, settings); });
+  weigh(found, program, settings);
   return found;
 }
 

@@ -3,6 +3,7 @@
 #include "analysis/flow/inspect.h"
 #include "analysis/program/named_platform.h"
 #include "codegen/model.h"
+#include "runtime/platform/file_error.h"
 #include "syntax/diagnostics/diagnostic.h"
 
 #include <expected>
@@ -17,16 +18,8 @@
 /// the library that does, only the file's own text is read.
 namespace proskill::runtime {
 
-/// An error in a platform file.
-struct PlatformError {
-  std::string why;
-  std::uint32_t line = 0; ///< from 1; 0: it has no place in the file
-  std::uint32_t column = 0;
-  std::string skill; ///< the basic skill that it is about; empty: none
-};
-
 struct PlatformCheck {
-  std::optional<PlatformError> error; ///< the first one, as `proskill run` reports it
+  std::optional<FileError> error; ///< the first one, as `proskill run` reports it
   /// Events of the program that the platform never reports, as far as its file shows.
   std::vector<std::string> silentEvents;
 };
@@ -39,8 +32,7 @@ struct PlatformCheck {
 struct PlatformFinding {
   syntax::Diagnostic diagnostic; ///< at the path in the program
   std::filesystem::path file;
-  std::uint32_t line = 0; ///< in that file, from 1; 0: it has no place there
-  std::uint32_t column = 0;
+  std::optional<FilePlace> place{}; ///< in that file
 };
 
 using ReadFile =

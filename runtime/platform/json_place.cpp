@@ -99,14 +99,14 @@ private:
 
 } // namespace
 
-std::string placeOfByte(std::string_view text, std::size_t byte) {
+FilePlace placeOfByte(std::string_view text, std::size_t byte) {
   const auto before = text.substr(0, std::min(byte, text.size()));
   const auto line = std::ranges::count(before, '\n') + 1;
   const auto column = syntax::countCharacters(before.substr(before.rfind('\n') + 1)) + 1;
-  return std::to_string(line) + ":" + std::to_string(column);
+  return {static_cast<std::uint32_t>(line), static_cast<std::uint32_t>(column)};
 }
 
-std::string placeOfPart(std::string_view text, const Json& file, const void* part) {
+FilePlace placeOfPart(std::string_view text, const Json& file, const void* part) {
   const auto found = part ? Walk(text, file, part).find() : std::nullopt;
   return placeOfByte(text, found.value_or(0));
 }

@@ -107,10 +107,10 @@ private:
 
 } // namespace
 
-std::optional<Unusable> readRosPlatform(std::string_view text, Ros ros,
-                                        const analysis::Program& program,
-                                        const codegen::PlatformInterface& interface,
-                                        ProcessSettings& settings, const std::string& library) {
+std::optional<FileError> readRosPlatform(std::string_view text, Ros ros,
+                                         const analysis::Program& program,
+                                         const codegen::PlatformInterface& interface,
+                                         ProcessSettings& settings, const std::string& library) {
   const auto read = [&](const Json& file) {
     auto mapping = RosReader(program, interface, ros).platform(file, library);
     readLife(file, settings);
@@ -120,11 +120,10 @@ std::optional<Unusable> readRosPlatform(std::string_view text, Ros ros,
     settings.command = {file.contains("python") ? wordAt(file, "python", "the platform") : usual};
   };
   try {
-    if (auto wrong = readFile(text, read)) return Unusable{std::move(*wrong), ""};
+    return readFile(text, read);
   } catch (const WrongSkill& wrong) {
-    return Unusable{wrong.why, wrong.skill};
+    return FileError{wrong.why, {}, wrong.skill};
   }
-  return std::nullopt;
 }
 
 } // namespace proskill::runtime

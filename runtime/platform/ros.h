@@ -1,5 +1,6 @@
 #pragma once
 
+#include "runtime/platform/file_error.h"
 #include "runtime/platform/process.h"
 #include "runtime/platform/ros_words.h"
 
@@ -10,12 +11,12 @@ namespace proskill::runtime {
 
 /// Reads the file of a platform of kind `ros1` or `ros2`, and checks it against the program. The
 /// settings get what the adapter, `proskill.ros1` or `proskill.ros2`, needs to know:
-/// docs/ros/ros1.md, docs/ros/ros2.md. The error has the form `3:14: MESSAGE` unless it names a
-/// skill. \param library of ROS 2: the shared library with which the adapter reaches DDS
-[[nodiscard]] std::optional<Unusable> readRosPlatform(std::string_view text, Ros ros,
-                                                      const analysis::Program& program,
-                                                      const codegen::PlatformInterface& interface,
-                                                      ProcessSettings& settings,
-                                                      const std::string& library = "");
+/// docs/ros/ros1.md, docs/ros/ros2.md. The error names the skill that has no action. \param library
+/// of ROS 2: the shared library with which the adapter reaches DDS
+[[nodiscard]] std::optional<FileError> readRosPlatform(std::string_view text, Ros ros,
+                                                       const analysis::Program& program,
+                                                       const codegen::PlatformInterface& interface,
+                                                       ProcessSettings& settings,
+                                                       const std::string& library = "");
 
 } // namespace proskill::runtime

@@ -171,25 +171,25 @@ void readLife(const Json& file, ProcessSettings& settings) {
   settings.restarts = restarts.get<unsigned>();
 }
 
-std::optional<std::string> readPlatform(std::string_view text,
-                                        const codegen::PlatformInterface& interface,
-                                        SimulationSettings& settings) {
+std::optional<FileError> readPlatform(std::string_view text,
+                                      const codegen::PlatformInterface& interface,
+                                      SimulationSettings& settings) {
   return readFile(text, [&](const Json& file) { Reader(interface, settings).platform(file); });
 }
 
-std::optional<std::string> readScript(std::string_view text,
-                                      const codegen::PlatformInterface& interface,
-                                      SimulationSettings& settings) {
+std::optional<FileError> readScript(std::string_view text,
+                                    const codegen::PlatformInterface& interface,
+                                    SimulationSettings& settings) {
   return readFile(text, [&](const Json& file) { Reader(interface, settings).script(file); });
 }
 
-std::optional<std::string> readProcessPlatform(std::string_view text, ProcessSettings& settings) {
+std::optional<FileError> readProcessPlatform(std::string_view text, ProcessSettings& settings) {
   return readFile(text, [&](const Json& file) { processSettings(file, settings); });
 }
 
-std::optional<std::string> readLibraryPlatform(std::string_view text,
-                                               const codegen::PlatformInterface& interface,
-                                               LibrarySettings& settings) {
+std::optional<FileError> readLibraryPlatform(std::string_view text,
+                                             const codegen::PlatformInterface& interface,
+                                             LibrarySettings& settings) {
   return readFile(text, [&](const Json& file) {
     librarySettings(file, interface, settings);
     settings.place = placeOfPart(text, file, &file["library"]);
@@ -202,7 +202,7 @@ bool speaksForEnvironment(std::string_view text) {
          (value.contains("signals") || value.contains("events") || value.contains("interrupts"));
 }
 
-std::expected<std::string, std::string> platformKind(std::string_view text) {
+std::expected<std::string, FileError> platformKind(std::string_view text) {
   std::string kind = "simulated";
   const std::vector<std::string> known{"simulated", "process", "library", "ros1", "ros2"};
   auto wrong = readFile(text, [&](const Json& file) {

@@ -345,6 +345,8 @@ TEST_CASE("a script about an action that the program does not have is refused") 
   const auto executable = test::executableOf(mission("(fly) (success done)"), false);
   auto settings = defaultSettings(*executable);
   for (const auto* runs : {"[]", R"([{"after":1}])"})
-    CHECK(readScript(std::string(R"({"actions":{"flie":)") + runs + "}}", executable->model,
-                     settings) == "1:13: there is no basic skill `flie`");
+    CHECK(
+        readScript(std::string(R"({"actions":{"flie":)") + runs + "}}", executable->model, settings)
+            .value()
+            .text() == "1:13: there is no basic skill `flie`");
 }

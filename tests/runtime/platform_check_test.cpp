@@ -84,15 +84,14 @@ TEST_CASE("a finding about a platform is at its path, and knows the place in its
   REQUIRE(found.size() == 1);
   CHECK(found[0].diagnostic.location == analysis::Location{0, {14, 24}});
   CHECK(found[0].file == "w/robot.json");
-  CHECK(found[0].line == 2);
-  CHECK(found[0].column == 14);
+  CHECK(found[0].place.value().text() == "2:14");
 }
 
 TEST_CASE("a basic skill without an action on the robot is related") {
   const auto found = platformFindings(kFlight, R"({"kind": "ros1"})");
   REQUIRE(found.size() == 1);
   CHECK(found[0].diagnostic.message == "`robot.json`: the platform file has no action for `fly`");
-  CHECK(found[0].line == 0);
+  CHECK_FALSE(found[0].place);
   REQUIRE(found[0].diagnostic.related.size() == 1);
   CHECK(found[0].diagnostic.related[0].location.range.begin == kFlight.find("fly"));
 }

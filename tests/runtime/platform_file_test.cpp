@@ -16,22 +16,26 @@ const std::string kProgram = R"(
   (defskill fly :action (fly) :interrupt () :success there :failure lost)
   (defskill mission :success done :body ((fly) (success done))))";
 
+std::string textOf(const std::optional<runtime::FileError>& error) {
+  return error ? error->text() : "";
+}
+
 std::string platformError(const std::string& text) {
   const auto executable = test::executableOf(kProgram, false);
   auto settings = defaultSettings(*executable);
-  return readPlatform(text, executable->model, settings).value_or("");
+  return textOf(readPlatform(text, executable->model, settings));
 }
 
 std::string scriptError(const std::string& text) {
   const auto executable = test::executableOf(kProgram, false);
   auto settings = defaultSettings(*executable);
-  return readScript(text, executable->model, settings).value_or("");
+  return textOf(readScript(text, executable->model, settings));
 }
 
 /// The place of the value with this JSON pointer.
 std::string placeOf(const std::string& text, const std::string& pointer) {
   const auto file = runtime::Json::parse(text);
-  return runtime::placeOfPart(text, file, &file.at(runtime::Json::json_pointer(pointer)));
+  return runtime::placeOfPart(text, file, &file.at(runtime::Json::json_pointer(pointer))).text();
 }
 
 } // namespace
@@ -71,7 +75,7 @@ TEST_CASE("the kind of a platform file is checked at its place") {
   CHECK(runtime::platformKind(R"({"kind": "library"})") == "library");
   const auto kind = runtime::platformKind("{\n  \"kind\": \"robot\"}");
   REQUIRE_FALSE(kind);
-  CHECK_THAT(kind.error(), StartsWith("2:11: `kind` must be `simulated`, "));
+  CHECK_THAT(kind.error().text(), StartsWith("2:11: `kind` must be `simulated`, "));
 }
 
 TEST_CASE("the library of a platform file has its place") {
@@ -79,7 +83,7 @@ TEST_CASE("the library of a platform file has its place") {
   runtime::LibrarySettings settings;
   REQUIRE(readLibraryPlatform("{\"kind\": \"library\",\n \"library\": \"librobot.so\"}",
                               executable->model, settings) == std::nullopt);
-  CHECK(settings.place == "2:13");
+  CHECK(settings.place.text() == "2:13");
 }
 
 TEST_CASE(
@@ -93,8 +97,8 @@ TEST_CASE(
 TEST_CASE("of members with the same key the kept one has a place, whatever the others are") {
   const std::string text = R"({"a": [1, 2], "a": {"b": {"c": 1}}, "a": {"b": [7]}})";
   const auto file = runtime::Json::parse(text);
-  CHECK(runtime::placeOfPart(text, file, &file["a"]["b"][0]) == "1:49");
-  CHECK(runtime::placeOfPart(text, file, &text) == "1:1");
+  CHECK(runtime::placeOfPart(text, file, &file["a"]["b"][0]).text() == "1:49");
+  CHECK(runtime::placeOfPart(text, file, &text).text() == "1:1");
 }
 
 TEST_CASE("a deeply nested file is searched to its end") {
@@ -102,8 +106,8 @@ TEST_CASE("a deeply nested file is searched to its end") {
   const auto text =
       "{\"b\": 1, \"a\": " + std::string(kDepth, '[') + std::string(kDepth, ']') + "}";
   const auto file = runtime::Json::parse(text);
-  CHECK(runtime::placeOfPart(text, file, &file["b"]) == "1:7");
-  CHECK(runtime::placeOfPart(text, file, &text) == "1:1");
+  CHECK(runtime::placeOfPart(text, file, &file["b"]).text() == "1:7");
+  CHECK(runtime::placeOfPart(text, file, &text).text() == "1:1");
 }
 
 TEST_CASE("a file that is nested too deep is refused, not copied until the stack is full") {
@@ -111,7 +115,7 @@ TEST_CASE("a file that is nested too deep is refused, not copied until the stack
   const auto list = std::string(kDepth, '[') + std::string(kDepth, ']');
   const auto text = "{\"a\": " + list + ", \"b\": 1, \"c\": 2}";
   CHECK(runtime::parsedText(text).is_discarded());
-  CHECK(runtime::platformKind(text).error() == "1:1: it is nested too deep");
+  CHECK(runtime::platformKind(text).error().text() == "1:1: it is nested too deep");
   CHECK_FALSE(runtime::readMessage(text));
   CHECK(runtime::parsedText("{\"a\": \"\\\"" + list + "\"}").is_object());
 }
