@@ -29,12 +29,11 @@ Dbm Dbm::over(std::span<const std::uint32_t> from) const {
 }
 
 void Dbm::extrapolate(std::span<const std::int32_t> lower, std::span<const std::int32_t> upper) {
-  const std::vector<Bound> first(entries.begin(), entries.begin() + size);
   const auto beyond = [&](std::uint32_t i, std::int32_t limit) {
-    return i != 0 && (limit < 0 || -constantOf(first[i]) > limit);
+    return i != 0 && (limit < 0 || -constantOf(at(0, i)) > limit);
   };
   bool changed = false;
-  for (std::uint32_t i = 0; i < size; ++i) {
+  for (std::uint32_t i = size; i-- > 0;) { // the first row is read for all others
     for (std::uint32_t j = 0; j < size; ++j) {
       if (i == j) continue;
       Bound made = at(i, j);

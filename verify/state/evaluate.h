@@ -30,9 +30,11 @@ inline void writeCell(const System& system, CellId id, std::int64_t value, Word*
 [[nodiscard]] std::int64_t evaluate(const System& system, NodeId node, const Word* state,
                                     FaultId& fault);
 /// The value of a guard. A fault counts as false.
-[[nodiscard]] inline bool holds(const System& system, NodeId node, const Word* state) {
+[[nodiscard]] inline bool holds(const System& system, NodeId id, const Word* state) {
+  const Node& node = system.nodes[id];
+  if (node.op == NodeOp::Test) return (state[node.a] & node.mask) == node.value; // most of them
   FaultId fault = kNoFault;
-  return evaluate(system, node, state, fault) != 0 && fault == kNoFault;
+  return evaluate(system, id, state, fault) != 0 && fault == kNoFault;
 }
 /// The value of a goal's condition.
 [[nodiscard]] bool holdsAt(const System& system, NodeId node, const Moment& moment);

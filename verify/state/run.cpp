@@ -23,6 +23,20 @@ Outcome failed(const System& system, FaultId fault, StepLog& log) {
   return Outcome::Failed;
 }
 
+/// In place of a StepLog, where only the outcome matters.
+struct NoLog {
+  struct Ignored {
+    static void push_back(std::uint32_t) {} // NOLINT(readability-identifier-naming): as of vectors
+  };
+  Ignored events;
+  Ignored origins;
+  Ignored leaves;
+  std::string_view failure;
+};
+
+void explain(const Cell&, std::int64_t, NoLog&) {}
+Outcome failed(const System&, FaultId, NoLog&) { return Outcome::Failed; }
+
 /// Ignores a step; a search needs no listener.
 struct NoListener {
   static void beginApart() {}
@@ -39,9 +53,9 @@ struct TellListener {
 };
 
 /// Simultaneous assignments: evaluates all values first.
-template <class Listener>
+template <class Log, class Listener>
 Outcome assignAll(const System& system, std::span<const Assignment> assignments, Word* state,
-                  StepLog& log, const Listener& listener) {
+                  Log& log, const Listener& listener) {
   constexpr std::size_t kFew = 64;
   std::array<std::int64_t, kFew> few{};
   std::vector<std::int64_t> many(assignments.size() > kFew ? assignments.size() : 0);
@@ -63,8 +77,8 @@ Outcome assignAll(const System& system, std::span<const Assignment> assignments,
   return Outcome::Done;
 }
 
-template <class Listener>
-Outcome firePath(const System& system, const Path& path, Word* state, StepLog& log,
+template <class Log, class Listener>
+Outcome firePath(const System& system, const Path& path, Word* state, Log& log,
                  const Listener& listener) {
   std::size_t at = 0;
   FaultId fault = kNoFault;
@@ -127,8 +141,8 @@ Outcome firePath(const System& system, const Path& path, Word* state, StepLog& l
 }
 
 /// Each part reads the state before the step; their writes are disjoint, and are combined.
-template <class Listener>
-Outcome fireApart(const System& system, const Transition& transition, Word* state, StepLog& log,
+template <class Log, class Listener>
+Outcome fireApart(const System& system, const Transition& transition, Word* state, Log& log,
                   const Listener& listener) {
   const std::vector<Word> before(state, state + system.words);
   for (auto id : transition.parts) {
@@ -143,8 +157,8 @@ Outcome fireApart(const System& system, const Transition& transition, Word* stat
   return Outcome::Done;
 }
 
-template <class Listener>
-Outcome firePaths(const System& system, const Transition& transition, Word* state, StepLog& log,
+template <class Log, class Listener>
+Outcome firePaths(const System& system, const Transition& transition, Word* state, Log& log,
                   const Listener& listener) {
   if (transition.apart) return fireApart(system, transition, state, log, listener);
   for (auto part : transition.parts) {
@@ -178,6 +192,17 @@ Outcome fireTold(const System& system, TransitionId id, Word* state, StepLog& lo
   return isSeen(system, transition, before.data(), state, happened) ? outcome : Outcome::GaveUp;
 }
 
+/// Whether a transition whose guard holds can be fired.
+bool canFire(const System& system, TransitionId id, Word* trial) {
+  const Transition& transition = system.transitions[id];
+  if (transition.seen.empty()) {
+    NoLog ignored;
+    return firePaths(system, transition, trial, ignored, NoListener{}) != Outcome::GaveUp;
+  }
+  StepLog log;
+  return fireTold(system, id, trial, log, NoListener{}) != Outcome::GaveUp;
+}
+
 } // namespace
 
 Outcome fire(const System& system, TransitionId id, Word* state, StepLog& log) {
@@ -196,9 +221,12 @@ bool isEnabled(const System& system, TransitionId id, const Word* state) {
   for (auto node : transition.rest)
     if (!holds(system, node, state)) return false;
   if (!transition.tentative) return true;
-  std::vector<Word> trial(state, state + system.words);
-  StepLog log;
-  return fire(system, id, trial.data(), log) != Outcome::GaveUp;
+  constexpr std::size_t kFew = 64;
+  std::array<Word, kFew> few; // NOLINT: what is used is copied
+  std::vector<Word> many(system.words > kFew ? system.words : 0);
+  Word* const trial = many.empty() ? few.data() : many.data();
+  std::copy(state, state + system.words, trial);
+  return canFire(system, id, trial);
 }
 
 bool disturbs(const System& system, TransitionId fired, TransitionId other) {

@@ -137,16 +137,22 @@ bool Timing::allow(Dbm& zone, SignatureId id, TransitionId transition) const {
   });
 }
 
-std::vector<std::uint32_t> Timing::kept(SignatureId beforeId, TransitionId transition,
-                                        SignatureId afterId) const {
-  const Signature& before = signatures[beforeId];
-  std::vector<std::uint32_t> from;
-  for (auto clock : signatures[afterId].clocks) {
-    bool goesOn =
-        std::ranges::binary_search(before.clocks, clock) && !resets(system, transition, clock);
-    from.push_back(goesOn ? indexOf(before, clock) : 0);
+std::vector<std::uint32_t> Timing::kept(SignatureId before, TransitionId transition,
+                                        SignatureId after) const {
+  std::vector<std::uint32_t> made;
+  findKept(before, transition, after, made);
+  return made;
+}
+
+void Timing::findKept(SignatureId before, TransitionId transition, SignatureId after,
+                      std::vector<std::uint32_t>& to) const {
+  const auto& old = signatures[before].clocks;
+  to.clear();
+  for (auto clock : signatures[after].clocks) {
+    const auto at = std::ranges::lower_bound(old, clock);
+    const bool goesOn = at != old.end() && *at == clock && !resets(system, transition, clock);
+    to.push_back(goesOn ? static_cast<std::uint32_t>(at - old.begin()) + 1 : 0);
   }
-  return from;
 }
 
 ZoneId Timing::after(ZoneId zone, SignatureId before, TransitionId transition, SignatureId next) {
@@ -158,7 +164,8 @@ ZoneId Timing::calculate(ZoneId id, SignatureId before, TransitionId transition,
                          SignatureId after) {
   Dbm zone = store.zone(id);
   if (!allow(zone, before, transition)) return kNone;
-  return settle(zone.over(kept(before, transition, after)), signatures[after]);
+  findKept(before, transition, after, carried);
+  return settle(zone.over(carried), signatures[after]);
 }
 
 } // namespace proskill::verify

@@ -65,6 +65,8 @@ public:
   [[nodiscard]] std::uint64_t growth() const { return store.growth() + memo.growth(); }
 
 private:
+  void findKept(SignatureId before, TransitionId transition, SignatureId after,
+                std::vector<std::uint32_t>& from) const;
   ZoneId calculate(ZoneId zone, SignatureId before, TransitionId transition, SignatureId after);
   ZoneId settle(Dbm zone, const Signature& signature);
 
@@ -75,6 +77,7 @@ private:
   NumberTable table;
   ZoneStore store;
   Memo memo;
+  std::vector<std::uint32_t> carried; ///< of a zone that is calculated: see kept()
 };
 
 /// Whether firing `transition` resets a clock that is needed afterwards.
