@@ -69,16 +69,21 @@ std::vector<Word> LiveVariables::maskOf(const Bits& cells) const {
 
 void LiveVariables::findMasks(Place& place) const {
   Bits surely;
-  for (const auto& way : place.ways) {
-    Bits own = way.live;
-    for (const auto& need : way.needs) own -= need.rewritten;
-    surely |= own;
+  for (auto& way : place.ways) {
+    Bits rest = way.live;
+    way.liveMask = maskOf(way.live);
+    for (auto& need : way.needs) {
+      rest -= need.rewritten;
+      need.rewrittenMask = maskOf(need.rewritten);
+    }
+    surely |= rest;
   }
   place.surelyLive = maskOf(surely);
   place.writes = maskOf(place.later);
   for (auto node : place.needed) {
     Bits cells;
     addReads(system, node, cells);
+    cells.each([&](CellId cell) { place.read.push_back(cell); });
     place.neededCells.push_back(maskOf(cells));
   }
 }
@@ -184,6 +189,7 @@ bool LiveVariables::follow(const std::vector<Place>& all, Place& from, Way& way)
 
 void LiveVariables::clean(Word* state) const {
   key.resize(system.storedWords);
+  findHere(state); // locations are never dead
   while (!isAllLive(state)) {
     for (std::uint32_t i = 0; i < system.storedWords; ++i) key[i] = state[i] & keyMask[i];
     if (key != lastKey) {
@@ -198,6 +204,14 @@ void LiveVariables::clean(Word* state) const {
       sameKey = sameKey && (state[i] & keyMask[i]) == key[i];
     }
     if (sameKey) return;
+  }
+}
+
+void LiveVariables::findHere(const Word* state) const {
+  here.clear();
+  for (InstanceId i = 0; i < system.instances.size(); ++i) {
+    const auto location = readCell(system, system.instances[i].location, state);
+    here.push_back(&places[i][static_cast<std::size_t>(location)]);
   }
 }
 
@@ -220,9 +234,7 @@ bool LiveVariables::isAllLive(const Word* state) const {
   waiting.clear();
   waitsFor.clear();
   for (InstanceId i = 0; i < system.instances.size(); ++i) {
-    const auto location =
-        static_cast<std::size_t>(readCell(system, system.instances[i].location, state));
-    const Place& place = places[i][location];
+    const Place& place = *here[i];
     for (std::uint32_t k = 0; k < words; ++k) live[k] |= place.surelyLive[k];
     const std::size_t first = waitsFor.size();
     for (std::size_t n = 0; n < place.needed.size(); ++n)
@@ -253,51 +265,57 @@ bool LiveVariables::mayAllMove() const {
   return std::ranges::all_of(waiting, [](const Waiting& it) { return !it.place; });
 }
 
-/// For each instance that can never move again, the cells that keep it from moving; empty for the
-/// others. Starts with the assumption that all waiting instances are stuck, and corrects it for
-/// those whose cells another instance may still write.
-std::vector<Bits> LiveVariables::frozenNeeds(const Word* state) const {
-  const auto placeOf = [&](InstanceId i) -> const Place& {
-    return places[i]
-                 [static_cast<std::size_t>(readCell(system, system.instances[i].location, state))];
-  };
-  std::vector<std::vector<Bits>> reasons(system.instances.size());
-  for (InstanceId i = 0; i < system.instances.size(); ++i)
-    for (auto node : placeOf(i).needed)
-      if (!holds(system, node, state)) addReads(system, node, reasons[i].emplace_back());
-  for (bool changed = true; changed;) {
-    Bits written;
-    for (InstanceId i = 0; i < system.instances.size(); ++i)
-      if (reasons[i].empty()) written |= placeOf(i).later;
-    changed = false;
-    for (auto& all : reasons)
-      changed = std::erase_if(all, [&](const Bits& cells) { return cells.meets(written); }) > 0 ||
-                changed;
+/// Finds for each instance that can never move again the cells that keep it from moving. Starts
+/// with the assumption that all waiting instances are stuck, and corrects it for those whose cells
+/// another instance may still write.
+void LiveVariables::findFrozen(const Word* state) const {
+  unmet.resize(system.instances.size());
+  Bits written;
+  for (InstanceId i = 0; i < system.instances.size(); ++i) {
+    const Place& place = *here[i];
+    unmet[i].clear();
+    for (std::size_t n = 0; n < place.needed.size(); ++n)
+      if (!holds(system, place.needed[n], state)) unmet[i].push_back(place.read[n]);
+    if (unmet[i].empty()) written |= place.later;
   }
-  std::vector<Bits> needs(system.instances.size());
-  for (InstanceId i = 0; i < system.instances.size(); ++i)
-    if (!reasons[i].empty()) needs[i] = reasons[i].front();
-  return needs;
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (InstanceId i = 0; i < system.instances.size(); ++i) {
+      if (!dropUnmet(i, written)) continue;
+      if (unmet[i].empty()) written |= here[i]->later;
+      changed = true;
+    }
+  }
+}
+
+/// Forgets the cells that an instance that may move may write. \return whether there were any
+bool LiveVariables::dropUnmet(InstanceId instance, const Bits& written) const {
+  return std::erase_if(unmet[instance], [&](CellId it) { return written.contains(it); }) > 0;
 }
 
 std::vector<Word> LiveVariables::liveMask(const Word* state) const {
-  const std::vector<Bits> needs = frozenNeeds(state);
-  Bits found = always;
+  findFrozen(state);
+  std::vector<Word> mask = alwaysMask;
   for (InstanceId i = 0; i < system.instances.size(); ++i) {
-    auto location = static_cast<std::size_t>(readCell(system, system.instances[i].location, state));
-    const Place& place = places[i][location];
-    if (!needs[i].empty()) {
-      found |= needs[i];
+    if (unmet[i].empty()) {
+      addLive(*here[i], state, mask);
       continue;
     }
-    for (const auto& way : place.ways) {
-      Bits own = way.live;
-      for (const auto& need : way.needs)
-        if (!holds(system, need.condition, state)) own -= need.rewritten;
-      found |= own;
-    }
+    const Cell& cell = system.cells[unmet[i].front()];
+    if (cell.word < system.storedWords) mask[cell.word] |= cell.mask;
   }
-  return maskOf(found);
+  return mask;
+}
+
+/// Adds the live cells of an instance that may move.
+void LiveVariables::addLive(const Place& place, const Word* state, std::vector<Word>& mask) const {
+  for (const auto& way : place.ways) {
+    own = way.liveMask;
+    for (const auto& need : way.needs)
+      if (!holds(system, need.condition, state))
+        for (std::size_t k = 0; k < own.size(); ++k) own[k] &= ~need.rewrittenMask[k];
+    for (std::size_t k = 0; k < own.size(); ++k) mask[k] |= own[k];
+  }
 }
 
 } // namespace proskill::verify

@@ -31,6 +31,7 @@ private:
     NodeId condition = 0;
     /// Cells that anyone who makes it true surely writes, except cells of conditions.
     Bits rewritten;
+    std::vector<Word> rewrittenMask; ///< the same as a mask of packed states
   };
 
   /// A path out of a location that an instance may take.
@@ -38,13 +39,15 @@ private:
     PathId path = 0;
     std::vector<Need> needs;
     Bits live; ///< cells that it may read before writing them, on this path or later
+    std::vector<Word> liveMask; ///< the same as a mask of packed states
   };
 
   /// What an instance in a location may do with cells.
   struct Place {
     std::vector<Way> ways;
     Bits later;                 ///< cells that it may write, now or later
-    std::vector<NodeId> needed; ///< conditions that all paths require
+    std::vector<NodeId> needed; ///< conditions that all paths require, each on one cell
+    std::vector<CellId> read;   ///< by condition: its cell
     // the same as masks of packed states:
     std::vector<Word> surelyLive; ///< live whatever the conditions, if the instance may move
     std::vector<Word> writes;
@@ -63,7 +66,10 @@ private:
   [[nodiscard]] bool mayAllMove() const;
   bool follow(const std::vector<Place>& all, Place& from, Way& way);
   [[nodiscard]] std::vector<Word> liveMask(const Word* state) const;
-  [[nodiscard]] std::vector<Bits> frozenNeeds(const Word* state) const;
+  void addLive(const Place& place, const Word* state, std::vector<Word>& mask) const;
+  void findHere(const Word* state) const;
+  void findFrozen(const Word* state) const;
+  bool dropUnmet(InstanceId instance, const Bits& written) const;
 
   const System& system;
   LimitWatch* limits;
@@ -76,6 +82,8 @@ private:
       keyMask; ///< The part of a state that determines the dead cells: locations and needed cells.
   std::vector<Word> allMask;    ///< of all cells
   std::vector<Word> alwaysMask; ///< of `always`
+  // of the state that is cleaned:
+  mutable std::vector<const Place*> here; ///< by instance
   mutable std::vector<Word> live;
   mutable std::vector<Word> writes;
   /// An instance that cannot move now, and how many of the first cells in `waitsFor` are not its
@@ -86,6 +94,8 @@ private:
   };
   mutable std::vector<Waiting> waiting;
   mutable std::vector<const std::vector<Word>*> waitsFor; ///< cells of conditions that are false
+  mutable std::vector<std::vector<CellId>> unmet; ///< by instance: cells that keep it from moving
+  mutable std::vector<Word> own;                  ///< live cells of one path
   mutable StateStore keys;
   mutable std::vector<std::vector<Word>> masks; ///< by key
   mutable std::vector<Word> key;

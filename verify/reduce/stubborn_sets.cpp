@@ -138,6 +138,7 @@ void StubbornSets::findNeeds(const Touching& touching, const Bits& dropped) {
 void StubbornSets::findWays(const Bits& dropped) {
   for (const auto& instance : system.instances) {
     moves.emplace_back(instance.locations.size());
+    ways.emplace_back(instance.locations.size());
     auto& all = reached.emplace_back(instance.locations.size());
     for (std::uint32_t i = 0; i < all.size(); ++i) all[i].insert(i);
   }
@@ -164,11 +165,14 @@ void StubbornSets::findWays(const Bits& dropped) {
 /// The transitions by which an instance may leave its location on the way to the target.
 const TransitionSet& StubbornSets::waysTo(InstanceId instance, std::uint32_t from,
                                           std::uint32_t target) const {
-  auto [entry, isNew] = ways.try_emplace({instance, from, target}, none);
-  if (isNew)
-    for (const auto& move : moves[instance][from])
-      if (reached[instance][move.to].contains(target)) insert(entry->second, move.transition);
-  return entry->second;
+  auto& known = ways[instance][from];
+  if (known.empty()) known.resize(moves[instance].size());
+  TransitionSet& made = known[target];
+  if (!made.empty()) return made;
+  made = none;
+  for (const auto& move : moves[instance][from])
+    if (reached[instance][move.to].contains(target)) insert(made, move.transition);
+  return made;
 }
 
 /// The transitions that are enabled in every state.
@@ -234,11 +238,11 @@ TransitionId StubbornSets::pick(const Word* state, const TransitionSet& enabled)
 /// transition.
 bool StubbornSets::isStubbornAlone(TransitionId transition, const Word* state,
                                    const TransitionSet& enabled) const {
-  TransitionSet stubborn = dependent[transition];
+  stubborn = dependent[transition];
   for (std::size_t k = 0; k < stubborn.size(); ++k)
     if ((stubborn[k] & enabled[k]) != 0) return false;
   insert(stubborn, transition);
-  TransitionSet done = none;
+  done = none;
   insert(done, transition);
   for (bool changed = true; changed;) {
     changed = false;
@@ -247,7 +251,7 @@ bool StubbornSets::isStubbornAlone(TransitionId transition, const Word* state,
         auto id =
             static_cast<TransitionId>(k * 64 + static_cast<std::size_t>(std::countr_zero(rest)));
         insert(done, id);
-        const TransitionSet* reason = reasonFor(id, state, enabled, stubborn);
+        const TransitionSet* reason = reasonFor(id, state, enabled);
         if (!reason) return false;
         for (std::size_t i = 0; i < stubborn.size(); ++i) stubborn[i] |= (*reason)[i];
         changed = true;
@@ -261,8 +265,7 @@ bool StubbornSets::isStubbornAlone(TransitionId transition, const Word* state,
 /// enabled. None of them may be enabled unless it is in the stubborn set. Chooses the smallest
 /// addition.
 const TransitionSet* StubbornSets::reasonFor(TransitionId transition, const Word* state,
-                                             const TransitionSet& enabled,
-                                             const TransitionSet& stubborn) const {
+                                             const TransitionSet& enabled) const {
   const TransitionSet* best = nullptr;
   int least = INT32_MAX;
   const auto consider = [&](const TransitionSet& set) {
@@ -270,7 +273,7 @@ const TransitionSet* StubbornSets::reasonFor(TransitionId transition, const Word
     for (std::size_t k = 0; k < set.size(); ++k) {
       const Word more = set[k] & ~stubborn[k];
       if ((more & enabled[k]) != 0) return;
-      added += std::popcount(more);
+      if (more != 0) added += std::popcount(more);
     }
     if (added >= least) return;
     least = added;

@@ -5,7 +5,6 @@
 #include "verify/state/enabled.h"
 
 #include <map>
-#include <tuple>
 
 namespace proskill::verify {
 
@@ -57,8 +56,7 @@ private:
   [[nodiscard]] bool isStubbornAlone(TransitionId transition, const Word* state,
                                      const TransitionSet& enabled) const;
   [[nodiscard]] const TransitionSet* reasonFor(TransitionId transition, const Word* state,
-                                               const TransitionSet& enabled,
-                                               const TransitionSet& stubborn) const;
+                                               const TransitionSet& enabled) const;
 
   const System& system;
   LimitWatch* limits;
@@ -74,7 +72,10 @@ private:
   };
   std::vector<std::vector<std::vector<Move>>> moves; ///< by instance and location
   std::vector<std::vector<Bits>> reached; ///< by instance and location: reachable locations
-  mutable std::map<std::tuple<InstanceId, std::uint32_t, std::uint32_t>, TransitionSet> ways;
+  /// Cache of waysTo, by instance and two locations; empty where it is not known.
+  mutable std::vector<std::vector<std::vector<TransitionSet>>> ways;
+  mutable TransitionSet stubborn; ///< a closure, and those of its transitions that were followed
+  mutable TransitionSet done;
 };
 
 } // namespace proskill::verify
