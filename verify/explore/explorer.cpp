@@ -105,9 +105,9 @@ void Explorer::expand(NodeIndex node) {
   const StateId state = graph.stateOf(node);
   graph.states.read(state, stored.data());
   expander.load(stored.data(), graph.signatureOf(state), graph.zoneOf(node));
-  frontier.expand(expander.loadedState());
   expander.expand(work);
   expander.reduce(work);
+  if (!work.successors.empty()) frontier.expand(expander.loadedState());
   store(work);
 }
 

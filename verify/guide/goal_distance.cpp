@@ -92,7 +92,8 @@ void GoalDistance::index() {
     for (auto fact : rules[i].needs) users[fact].push_back(i);
     if (rules[i].needs.empty()) always.push_back(i);
     makes.add(rules[i].makes);
-    none.push_back({static_cast<std::uint32_t>(rules[i].needs.size()), 0});
+    none.push_back(
+        {static_cast<std::uint32_t>(rules[i].needs.size()), rules[i].step == kNone ? 0U : 1U});
   }
   for (const auto& some : users) uses.add(some);
 }
@@ -254,8 +255,29 @@ void GoalDistance::reach(FactId fact, std::uint32_t cost, RuleId by) {
   if (costs[fact] <= cost || cost > kMostCost) return;
   costs[fact] = cost;
   makers[fact] = by;
-  if (byCost.size() <= cost) byCost.resize(cost + 1);
-  byCost[cost].push_back(fact);
+  if (fact == wanted || !uses.at(fact).empty()) queue.push(fact, cost);
+}
+
+void GoalDistance::Queue::clear() {
+  entries.clear();
+  lists.clear();
+}
+
+void GoalDistance::Queue::push(FactId fact, std::uint32_t cost) {
+  const auto entry = static_cast<std::uint32_t>(entries.size());
+  entries.push_back({fact});
+  if (lists.size() <= cost) lists.resize(cost + 1);
+  auto& [first, last] = lists[cost];
+  (first == kNone ? first : entries[last].next) = entry;
+  last = entry;
+}
+
+GoalDistance::FactId GoalDistance::Queue::take(std::uint32_t cost) {
+  auto& first = lists[cost].first;
+  if (first == kNone) return kNone;
+  const Entry& taken = entries[first];
+  first = taken.next;
+  return taken.fact;
 }
 
 void GoalDistance::reachInitial(const Word* state) {
@@ -270,20 +292,18 @@ void GoalDistance::reachInitial(const Word* state) {
 
 /// Follows a rule all of whose needs are met.
 void GoalDistance::apply(RuleId rule) {
-  const auto cost = progress[rule].sum + (rules[rule].step == kNone ? 0 : 1);
-  for (auto fact : makes.at(rule)) reach(fact, cost, rule);
+  for (auto fact : makes.at(rule)) reach(fact, progress[rule].sum, rule);
 }
 
 /// Dijkstra's algorithm: facts in the order of their costs.
 std::uint32_t GoalDistance::from(const Word* state) {
   std::ranges::fill(costs, kFar);
-  for (auto& some : byCost) some.clear();
+  queue.clear();
   progress = none;
   reachInitial(state);
   for (auto rule : always) apply(rule);
-  for (std::uint32_t cost = 0; cost < byCost.size(); ++cost)
-    for (std::size_t i = 0; i < byCost[cost].size(); ++i) { // both grow
-      const FactId fact = byCost[cost][i];
+  for (std::uint32_t cost = 0; cost < queue.end(); ++cost)
+    for (FactId fact = queue.take(cost); fact != kNone; fact = queue.take(cost)) {
       if (costs[fact] != cost) continue; // reached at a lower cost
       if (fact == wanted) return cost;
       for (auto rule : uses.at(fact)) {

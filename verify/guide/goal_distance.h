@@ -56,7 +56,28 @@ private:
   /// How far a rule has come in an estimate.
   struct Progress {
     std::uint32_t open = 0; ///< number of needs that are not met
-    std::uint32_t sum = 0;  ///< of the costs of those that are
+    std::uint32_t sum = 0;  ///< of the costs of those that are, and of its step
+  };
+  /// Facts by the costs at which they were reached, each at least once; first in, first out.
+  class Queue {
+  public:
+    void clear();
+    void push(FactId fact, std::uint32_t cost);
+    /// The next fact of these costs; kNone if there is none now.
+    [[nodiscard]] FactId take(std::uint32_t cost);
+    [[nodiscard]] std::uint32_t end() const { return static_cast<std::uint32_t>(lists.size()); }
+
+  private:
+    struct Entry {
+      FactId fact = 0;
+      std::uint32_t next = kNone; ///< of the same costs
+    };
+    struct List {
+      std::uint32_t first = kNone;
+      std::uint32_t last = kNone;
+    };
+    std::vector<Entry> entries;
+    std::vector<List> lists; ///< by costs
   };
   /// A way through the code of a path.
   struct Way {
@@ -108,7 +129,7 @@ private:
   std::vector<std::uint32_t> costs; ///< by fact
   std::vector<RuleId> makers;       ///< by fact: the rule of these costs; kNone: from the start
   std::vector<Progress> progress;   ///< by rule
-  std::vector<std::vector<FactId>> byCost; ///< facts that were reached, each at least once
+  Queue queue;
 };
 
 } // namespace proskill::verify
