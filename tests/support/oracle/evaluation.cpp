@@ -342,10 +342,9 @@ Store Evaluation::queue(const Expr& expr, const Type* expected) {
   return all;
 }
 
-std::string Evaluation::show(const Expr& lvalue) {
-  Place at = place(lvalue).value();
-  const Type& type = resolve(*at.type);
-  std::int64_t value = store[at.offset];
+std::string textOf(const Interpreter& model, Place scalar, const Store& store) {
+  const Type& type = resolveType(model, *scalar.type);
+  const std::int64_t value = store[scalar.offset];
   if (type.kind == TypeKind::Bool) return value ? "true" : "false";
   if (type.kind == TypeKind::Union) return type.members[static_cast<std::size_t>(value)].name;
   return std::to_string(value);

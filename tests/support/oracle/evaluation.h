@@ -30,9 +30,6 @@ public:
   [[nodiscard]] bool matches(const fiacre::Expr& pattern, const Store& value,
                              const fiacre::Type& type);
 
-  /// The value of a scalar as text.
-  [[nodiscard]] std::string show(const fiacre::Expr& lvalue);
-
 private:
   [[nodiscard]] const fiacre::Type& resolve(const fiacre::Type& type) const;
   [[nodiscard]] std::int64_t name(const std::string& name, const fiacre::Type* expected);
@@ -63,6 +60,8 @@ struct Bounds {
 /// Every value of a scalar type, or of a union with values of such types.
 [[nodiscard]] std::vector<Store> valuesOf(const Interpreter& model, const fiacre::Type& type);
 [[nodiscard]] const fiacre::Type& resolveType(const Interpreter& model, const fiacre::Type& type);
+/// The value of a scalar as text.
+[[nodiscard]] std::string textOf(const Interpreter& model, Place scalar, const Store& store);
 /// The value of an uninitialised variable: false, the lowest number, the first constructor.
 [[nodiscard]] Store defaultValue(const Interpreter& model, const fiacre::Type& type);
 

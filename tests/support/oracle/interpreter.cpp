@@ -377,8 +377,13 @@ const std::string& Interpreter::stateName(std::size_t instance, const Store& sto
 }
 
 std::string Interpreter::show(const std::string& lvalue, const Store& store) const {
-  Store copy = store;
-  return Evaluation(*this, copy, componentScopes.at({})).show(parseLvalue(lvalue));
+  auto found = shown.find(lvalue);
+  if (found == shown.end()) {
+    Store copy = store;
+    Evaluation evaluation(*this, copy, componentScopes.at({}));
+    found = shown.emplace(lvalue, evaluation.place(parseLvalue(lvalue)).value()).first;
+  }
+  return textOf(*this, found->second, store);
 }
 
 bool Interpreter::holds(const std::vector<std::uint32_t>& path, const fiacre::Expr& expression,

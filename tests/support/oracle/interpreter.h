@@ -9,6 +9,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 /// A second, straightforward interpreter of Fiacre, to check the engine. It walks the tree at every
@@ -30,10 +31,10 @@ struct Place {
   const fiacre::Type* type = nullptr;
 };
 
-using Scope = std::map<std::string, Place, std::less<>>;
+using Scope = std::unordered_map<std::string, Place>;
 
 /// Maps the name of a port in a process or a component to its index in Interpreter::ports.
-using PortMap = std::map<std::string, std::size_t, std::less<>>;
+using PortMap = std::unordered_map<std::string, std::size_t>;
 
 struct PortSlot {
   std::string name;
@@ -96,7 +97,8 @@ public:
   /// The value of `expression` as seen by the instance at `path`, or by the component there.
   [[nodiscard]] bool holds(const std::vector<std::uint32_t>& path, const fiacre::Expr& expression,
                            const Store& store) const;
-  /// The value of an lvalue in the main component as text, such as `skill[takeoff].status`.
+  /// The value of an lvalue in the main component as text, such as `skill[takeoff].status`. Indices
+  /// are constants, so it is at one place in every store.
   [[nodiscard]] std::string show(const std::string& lvalue, const Store& store) const;
   /// The name of an instance's current state.
   [[nodiscard]] const std::string& stateName(std::size_t instance, const Store& store) const;
@@ -137,9 +139,9 @@ private:
 
   const fiacre::Program& program;
   Reading reading;
-  std::map<std::string, const fiacre::TypeDeclaration*, std::less<>> types;
-  std::map<std::string, const fiacre::Constant*, std::less<>> constants;
-  std::map<std::string, const fiacre::Function*, std::less<>> functions;
+  std::unordered_map<std::string, const fiacre::TypeDeclaration*> types;
+  std::unordered_map<std::string, const fiacre::Constant*> constants;
+  std::unordered_map<std::string, const fiacre::Function*> functions;
   std::vector<Instance> elaborated;
   std::map<std::vector<std::uint32_t>, Scope> componentScopes;
   std::vector<PortSlot> slots;
@@ -150,7 +152,8 @@ private:
   // Clocks are numbered when they first occur.
   mutable std::map<std::vector<std::uint64_t>, ClockId> clockNumbers;
   mutable std::vector<std::vector<std::size_t>> clockParticipants;
-  mutable std::map<Store, std::vector<Firing>> known; ///< the firings by state
+  mutable std::map<Store, std::vector<Firing>> known;   ///< the firings by state
+  mutable std::unordered_map<std::string, Place> shown; ///< the places of lvalues
 };
 
 } // namespace proskill::oracle
