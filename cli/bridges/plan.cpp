@@ -1,12 +1,12 @@
 #include "cli/bridges/commands.h"
 
 #include "bridge/pddl/emit.h"
-#include "cli/output/python_package.h"
 #include "cli/terminal/choice.h"
 #include "cli/terminal/error.h"
 #include "cli/terminal/exit_code.h"
 #include "cli/terminal/help.h"
 #include "cli/terminal/number.h"
+#include "disk/installation.h"
 #include "disk/output.h"
 
 #include <CLI/CLI.hpp>
@@ -38,7 +38,8 @@ struct PlanArguments {
 
 std::vector<std::string> commandOf(const PlanArguments& arguments) {
   std::vector<std::string> words{arguments.python};
-  for (auto& word : pythonPackage("planning")) words.push_back(std::move(word));
+  for (auto& word : disk::pythonPackage(disk::folderOfProgram(), "planning"))
+    words.push_back(std::move(word));
   const auto add = [&](const char* option, const std::string& value) {
     if (!value.empty()) words.insert(words.end(), {option, value});
   };

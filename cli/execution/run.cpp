@@ -6,14 +6,13 @@
 #include "cli/execution/run_arguments.h"
 #include "cli/execution/service.h"
 #include "cli/output/checked_program.h"
-#include "cli/output/python_package.h"
 #include "cli/terminal/error.h"
 #include "cli/terminal/exit_code.h"
 #include "cli/terminal/help.h"
 #include "disk/disk.h"
+#include "disk/installation.h"
 #include "groot/monitor.h"
-#include "runtime/platform/ros.h"
-#include "runtime/platform/settings.h"
+#include "runtime/platform/process_file.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -87,6 +86,14 @@ struct Failed {
   int exitCode;
 };
 
+runtime::PlatformTools platformTools() {
+  const auto folder = disk::folderOfProgram();
+  return {.proskill = "/proc/self/exe",
+          .ros1 = disk::pythonPackage(folder, "ros1"),
+          .ros2 = disk::pythonPackage(folder, "ros2"),
+          .dds = disk::ddsLibrary(folder)};
+}
+
 class Session {
 public:
   /// \param named where the program names the platform; nothing if it does not
@@ -95,15 +102,13 @@ public:
       : arguments(given), program(of), named(named) {}
 
   int run() {
-    const auto platformText = read(arguments.platform, named);
+    const auto text = read(arguments.platform, named);
     const auto scriptText = read(arguments.script);
-    const auto kind = runtime::platformKind(platformText.value_or("{}"));
-    if (!kind) return failFile(arguments.platform, kind.error());
-    if (*kind == "process") return runOnProcess(*platformText);
-    if (*kind == "library") return runOnLibrary(*platformText);
-    if (*kind == "ros1") return runOnRos(*platformText, runtime::Ros::One);
-    if (*kind == "ros2") return runOnRos(*platformText, runtime::Ros::Two);
-    return runSimulated(platformText, scriptText);
+    const auto platform = runtime::PlatformFile::parse(text.value_or("{}"));
+    if (!platform) return failFile(arguments.platform, platform.error());
+    return platform->kind == runtime::PlatformKind::Simulated
+               ? runSimulated(platform->file, scriptText)
+               : runOnProcess(*platform);
   }
 
 private:
@@ -123,69 +128,50 @@ private:
     executable = std::move(*made);
   }
 
-  static int failFile(const std::string& path, const runtime::FileError& error) {
-    return fail(path + ":" + error.text());
+  /// Shows what is wrong with a file, each error at its place or at the skill that it is about.
+  [[nodiscard]] int failFile(const std::string& path, const runtime::FileErrors& errors) const {
+    for (const auto& [why, place, skill] : errors)
+      if (skill.empty())
+        fail(path + ":" + (place ? place->text() + ": " : " ") + why);
+      else
+        std::ignore = failUnusable({why, skill}, path);
+    return kFailed;
   }
 
-  int runSimulated(const std::optional<std::string>& platformText,
-                   const std::optional<std::string>& scriptText) {
-    const bool said = runtime::speaksForEnvironment(platformText.value_or("")) ||
-                      runtime::speaksForEnvironment(scriptText.value_or(""));
-    makeExecutable(!said);
+  [[nodiscard]] std::optional<runtime::JsonFile>
+  parsedScript(const std::optional<std::string>& text) const {
+    if (!text) return std::nullopt;
+    auto script = runtime::JsonFile::parse(*text);
+    if (!script) throw Failed{failFile(arguments.script, script.error())};
+    return std::move(*script);
+  }
+
+  int runSimulated(const runtime::JsonFile& file, const std::optional<std::string>& scriptText) {
+    const auto script = parsedScript(scriptText);
+    makeExecutable(!speaksForEnvironment(file) && !(script && speaksForEnvironment(*script)));
     auto settings = defaultSettings(*executable);
-    if (platformText)
-      if (auto wrong = readPlatform(*platformText, executable->model, settings))
-        return failFile(arguments.platform, *wrong);
-    if (scriptText)
-      if (auto wrong = readScript(*scriptText, executable->model, settings))
-        return failFile(arguments.script, *wrong);
+    if (const auto wrong = readSimulation(file, executable->model, settings); !wrong.empty())
+      return failFile(arguments.platform, wrong);
+    if (script)
+      if (const auto wrong = readScript(*script, executable->model, settings); !wrong.empty())
+        return failFile(arguments.script, wrong);
     const auto platform = simulatedPlatform(std::move(settings), arguments.seed + 1);
     isSimulation = true;
     return runOn(*platform, clockFactor(arguments.clock));
   }
 
-  int runOnProcess(const std::string& text) {
+  int runOnProcess(const runtime::PlatformFile& platform) {
+    using runtime::PlatformKind;
     runtime::ProcessSettings settings;
     prepareForProcess(settings);
-    if (const auto wrong = readProcessPlatform(text, settings))
-      return failFile(arguments.platform, *wrong);
-    return runOnProcess(std::move(settings), arguments.platform);
-  }
-
-  /// Loads the library in a separate process, which speaks the protocol for it. Its crashes and
-  /// hangs are then those of a program.
-  int runOnLibrary(const std::string& text) {
-    runtime::LibrarySettings settings;
-    prepareForProcess(settings.process);
-    if (const auto wrong = readLibraryPlatform(text, executable->model, settings))
-      return failFile(arguments.platform, *wrong);
-    auto& process = settings.process;
-    process.name = "the process of the library";
-    process.isOurs = true;
-    process.command = {"/proc/self/exe", "platform-host", settings.library};
-    for (const auto& [skill, function] : settings.functions)
-      process.command.push_back(fmt::format("{}={}", skill, function));
-    return runOnProcess(std::move(process), arguments.platform + ":" + settings.place.text());
-  }
-
-  /// Starts the adapter of the Python package, which speaks with ROS.
-  int runOnRos(const std::string& text, runtime::Ros ros) {
-    runtime::ProcessSettings settings;
-    prepareForProcess(settings);
-    if (arguments.clock != "real" && !arguments.clock.empty())
+    const bool isRos = platform.kind == PlatformKind::Ros1 || platform.kind == PlatformKind::Ros2;
+    if (isRos && arguments.clock != "real" && !arguments.clock.empty())
       return fail("`--clock` must be real: ROS takes real time");
-    const auto library = ros == runtime::Ros::Two ? ddsLibrary() : std::string();
     if (const auto wrong =
-            readRosPlatform(text, ros, program, executable->model, settings, library))
-      return wrong->skill.empty() ? failFile(arguments.platform, *wrong)
-                                  : failUnusable({wrong->why, wrong->skill}, arguments.platform);
-    if (ros == runtime::Ros::Two && library.empty())
-      return fail("platforms of kind `ros2` need Fast DDS: build `proskill` with libfastrtps-dev");
-    settings.name = "the ROS adapter";
-    settings.isOurs = true;
-    for (auto& word : pythonPackage(ros == runtime::Ros::One ? "ros1" : "ros2"))
-      settings.command.push_back(std::move(word));
-    return runOnProcess(std::move(settings), arguments.platform);
+            readProcess(platform, program, executable->model, platformTools(), settings);
+        !wrong.empty())
+      return failFile(arguments.platform, wrong);
+    return runOnProcess(std::move(settings));
   }
 
   /// A program needs real time.
@@ -201,9 +187,10 @@ private:
         std::filesystem::absolute(std::filesystem::path(arguments.platform)).parent_path();
   }
 
-  /// \param place shown in errors
-  int runOnProcess(runtime::ProcessSettings settings, const std::string& place) {
+  int runOnProcess(runtime::ProcessSettings settings) {
     const auto factor = settings.speed;
+    const auto place =
+        arguments.platform + (settings.place ? ":" + settings.place->text() : std::string());
     const auto platform =
         processPlatform(*executable, std::move(settings), [] { return stopRequests > 0; });
     if (platform) return runOn(**platform, factor);

@@ -39,29 +39,33 @@ void noteSilentEvents(const Json& mapping, const analysis::Program& program,
       result.silentEvents.push_back(std::move(name));
 }
 
-std::optional<FileError> checkRos(std::string_view text, Ros ros, const analysis::Program& program,
-                                  const PlatformInterface& interface, PlatformCheck& result) {
+FileErrors checkRos(const JsonFile& file, Ros ros, const analysis::Program& program,
+                    const PlatformInterface& interface, PlatformCheck& result) {
   ProcessSettings settings;
-  auto wrong = readRosPlatform(text, ros, program, interface, settings);
-  if (!wrong) noteSilentEvents(parsedText(settings.settings), program, result);
-  return wrong;
+  auto errors = readRosPlatform(file, ros, program, interface, settings);
+  if (errors.empty()) noteSilentEvents(parsedText(settings.settings), program, result);
+  return errors;
 }
 
-std::optional<FileError> checkKind(const std::string& kind, std::string_view text,
-                                   const analysis::Program& program,
-                                   const PlatformInterface& interface, PlatformCheck& result) {
-  if (kind == "ros1") return checkRos(text, Ros::One, program, interface, result);
-  if (kind == "ros2") return checkRos(text, Ros::Two, program, interface, result);
-  if (kind == "process") {
+FileErrors checkKind(const PlatformFile& platform, const analysis::Program& program,
+                     const PlatformInterface& interface, PlatformCheck& result) {
+  switch (platform.kind) {
+  case PlatformKind::Simulated: {
+    auto settings = roomFor(interface);
+    return readSimulation(platform.file, interface, settings);
+  }
+  case PlatformKind::Process: {
     ProcessSettings settings;
-    return readProcessPlatform(text, settings);
+    return readProcessPlatform(platform.file, settings);
   }
-  if (kind == "library") {
+  case PlatformKind::Library: {
     LibrarySettings settings;
-    return readLibraryPlatform(text, interface, settings);
+    return readLibraryPlatform(platform.file, interface, settings);
   }
-  auto settings = roomFor(interface);
-  return readPlatform(text, interface, settings);
+  case PlatformKind::Ros1: return checkRos(platform.file, Ros::One, program, interface, result);
+  case PlatformKind::Ros2: return checkRos(platform.file, Ros::Two, program, interface, result);
+  }
+  return {};
 }
 
 syntax::Diagnostic diagnosticOf(const FileError& error, const analysis::Program& program,
@@ -98,9 +102,10 @@ std::vector<PlatformFinding> findingsOf(const analysis::Program& program, bool i
     return {
         {syntax::makeDiagnostic(Code::UnreadablePlatform, named.at, named.written, text.error()),
          named.file}};
-  const auto [error, silentEvents] = checkFor(program, isSound, *text);
+  const auto [errors, silentEvents] = checkFor(program, isSound, *text);
   std::vector<PlatformFinding> found;
-  if (error) found.push_back({diagnosticOf(*error, program, named), named.file, error->place});
+  for (const auto& error : errors)
+    found.push_back({diagnosticOf(error, program, named), named.file, error.place});
   for (const auto& name : silentEvents)
     found.push_back({silenceOf(name, program, named), named.file});
   return found;
@@ -125,11 +130,11 @@ void weigh(std::vector<PlatformFinding>& found, const analysis::Program& program
 PlatformCheck checkPlatform(std::string_view text, const analysis::Program& program,
                             const PlatformInterface* interface) {
   PlatformCheck result;
-  const auto kind = platformKind(text);
-  if (!kind)
-    result.error = kind.error();
+  const auto platform = PlatformFile::parse(text);
+  if (!platform)
+    result.errors = platform.error();
   else if (interface)
-    result.error = checkKind(*kind, text, program, *interface, result);
+    result.errors = checkKind(*platform, program, *interface, result);
   return result;
 }
 

@@ -19,7 +19,7 @@
 namespace proskill::runtime {
 
 struct PlatformCheck {
-  std::optional<FileError> error; ///< the first one, as `proskill run` reports it
+  FileErrors errors; ///< as `proskill run` reports them
   /// Events of the program that the platform never reports, as far as its file shows.
   std::vector<std::string> silentEvents;
 };

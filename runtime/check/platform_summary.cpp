@@ -1,6 +1,5 @@
 #include "runtime/check/platform_summary.h"
 
-#include "runtime/platform/json.h"
 #include "runtime/platform/settings.h"
 
 namespace proskill::runtime {
@@ -27,14 +26,17 @@ std::string joined(const Json& words) {
   return all;
 }
 
-std::string sentenceOf(const std::string& kind, const Json& file) {
-  if (kind == "process")
+std::string sentenceOf(PlatformKind kind, const Json& file) {
+  switch (kind) {
+  case PlatformKind::Simulated: return "The actions are simulated.";
+  case PlatformKind::Process:
     return "The program " + code(joined(memberOf(file, "command"))) + " performs the actions.";
-  if (kind == "library")
+  case PlatformKind::Library:
     return "The library " + code(memberOf(file, "library")) + " performs the actions.";
-  if (kind == "ros1") return "An adapter to ROS 1 performs the actions.";
-  if (kind == "ros2") return "An adapter to ROS 2 performs the actions.";
-  return "The actions are simulated.";
+  case PlatformKind::Ros1: return "An adapter to ROS 1 performs the actions.";
+  case PlatformKind::Ros2: return "An adapter to ROS 2 performs the actions.";
+  }
+  return "";
 }
 
 std::string ofRos(const Json& action) {
@@ -55,25 +57,30 @@ std::string ofSimulation(const Json& action) {
   return duration.is_null() ? "" : "takes " + code(duration) + " s";
 }
 
-std::string performerOf(const std::string& kind, const std::string& skill, const Json& file) {
-  if (kind == "process") return "";
-  if (kind == "library") return ofLibrary(skill, memberOf(file, "functions"));
+std::string performerOf(PlatformKind kind, const std::string& skill, const Json& file) {
   const auto& action = memberOf(memberOf(file, "actions"), skill);
-  return kind == "simulated" ? ofSimulation(action) : ofRos(action);
+  switch (kind) {
+  case PlatformKind::Simulated: return ofSimulation(action);
+  case PlatformKind::Process: return "";
+  case PlatformKind::Library: return ofLibrary(skill, memberOf(file, "functions"));
+  case PlatformKind::Ros1:
+  case PlatformKind::Ros2: return ofRos(action);
+  }
+  return "";
 }
 
 } // namespace
 
 std::optional<PlatformSummary> platformSummary(std::string_view text,
                                                const analysis::Program& program) {
-  const auto kind = platformKind(text);
-  if (!kind) return std::nullopt;
-  const auto file = parsedText(text);
-  PlatformSummary summary{sentenceOf(*kind, file), {}};
+  const auto platform = PlatformFile::parse(text);
+  if (!platform) return std::nullopt;
+  const auto& file = platform->file.json();
+  PlatformSummary summary{sentenceOf(platform->kind, file), {}};
   for (const auto& definition : program.skills.all) {
     const std::string skill(definition.name());
     if (definition->isComposite()) continue;
-    if (auto performer = performerOf(*kind, skill, file); !performer.empty())
+    if (auto performer = performerOf(platform->kind, skill, file); !performer.empty())
       summary.actions.emplace_back(skill, std::move(performer));
   }
   return summary;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace proskill::runtime {
 
@@ -26,5 +27,8 @@ struct FileError {
   /// `3:14: MESSAGE`
   [[nodiscard]] std::string text() const { return (place ? place->text() + ": " : "") + why; }
 };
+
+/// Empty: the file can be used.
+using FileErrors = std::vector<FileError>;
 
 } // namespace proskill::runtime

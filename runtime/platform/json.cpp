@@ -7,9 +7,6 @@
 
 namespace proskill::runtime {
 
-namespace {
-
-/// Whether lists and objects are nested deeper than in anything that people write.
 bool isTooDeep(std::string_view text) {
   constexpr int kMost = 1000;
   int depth = 0;
@@ -25,29 +22,15 @@ bool isTooDeep(std::string_view text) {
   return depth > kMost;
 }
 
-} // namespace
-
 Json parsedText(std::string_view text) {
   return isTooDeep(text) ? Json(Json::value_t::discarded) : Json::parse(text, nullptr, false);
 }
 
-Json parsedFile(std::string_view text) {
-  if (isTooDeep(text)) throw Wrong{"it is nested too deep"};
-  Json value;
-  try {
-    value = Json::parse(text);
-  } catch (const Json::parse_error& error) {
-    throw Wrong{.why = "it is not JSON", .byte = error.byte == 0 ? 0 : error.byte - 1};
-  }
-  if (!value.is_object()) throw Wrong{"it is not an object"};
-  return value;
-}
-
 void allowMembers(const Json& value, const std::vector<std::string>& known,
-                  const std::string& where) {
+                  const std::string& where, Errors& errors) {
   if (!value.is_object()) throw Wrong{where + " must be an object", &value};
-  for (const auto& [key, _] : value.items())
-    if (std::ranges::find(known, key) == known.end()) throwUnknown("member", key, known);
+  for (const auto& [key, _] : value.get_ref<const Json::object_t&>())
+    if (std::ranges::find(known, key) == known.end()) errors.note(unknown("member", key, known));
 }
 
 const Json& listOf(const Json& value, const std::string& of) {
@@ -86,12 +69,12 @@ Span spanOf(const Json& value, const std::string& of) {
   return made;
 }
 
-void throwUnknown(const std::string& what, const std::string& name,
-                  const std::vector<std::string>& names) {
+Wrong unknown(const std::string& what, const std::string& name,
+              const std::vector<std::string>& names) {
   const auto meant = syntax::nearest(name, names);
-  throw Wrong{"there is no " + what + " `" + name + "`" +
-                  (meant.empty() ? "" : "; did you mean `" + std::string(meant) + "`?"),
-              &name};
+  return {"there is no " + what + " `" + name + "`" +
+              (meant.empty() ? "" : "; did you mean `" + std::string(meant) + "`?"),
+          &name};
 }
 
 } // namespace proskill::runtime

@@ -8,8 +8,11 @@ namespace proskill::runtime {
 
 namespace {
 
-std::string lineOf(const Json& message) {
-  return message.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+/// What is written keeps its order.
+using Written = nlohmann::ordered_json;
+
+std::string lineOf(const Written& message) {
+  return message.dump(-1, ' ', false, Written::error_handler_t::replace) + '\n';
 }
 
 template <class Number> std::optional<Number> numberIn(std::string_view text) {
@@ -36,7 +39,7 @@ std::string unescaped(std::string_view literal) {
 }
 
 /// An argument as JSON. A value of a state variable becomes a string.
-Json valueOf(const std::string& literal) {
+Written valueOf(const std::string& literal) {
   if (literal.empty()) return nullptr;
   if (literal == "true" || literal == "false") return literal == "true";
   if (literal.starts_with('"')) return unescaped(literal);
@@ -82,37 +85,37 @@ const std::string& resultName(const codegen::Performed::Result& result) {
 
 std::string helloMessage(const Executable& executable, double speed, const std::string& settings) {
   const auto& model = executable.model;
-  Json hello{{"type", "hello"},
-             {"protocol", kProtocol},
-             {"mission", model.mainSkill},
-             {"speed", speed},
-             {"skills", Json::array()},
-             {"events", Json::array()},
-             {"interrupts", Json::array()}};
+  Written hello{{"type", "hello"},
+                {"protocol", kProtocol},
+                {"mission", model.mainSkill},
+                {"speed", speed},
+                {"skills", Written::array()},
+                {"events", Written::array()},
+                {"interrupts", Written::array()}};
   for (const auto& performed : model.performed) {
-    Json skill{{"name", performed.skill}, {"results", Json::array()}};
+    Written skill{{"name", performed.skill}, {"results", Written::array()}};
     for (const auto& result : performed.results)
       skill["results"].push_back({{"name", resultName(result)}, {"status", result.status}});
     hello["skills"].push_back(std::move(skill));
   }
   for (const auto& signal : model.signals)
     hello[signal.interrupts ? "interrupts" : "events"].push_back(signal.name);
-  if (!settings.empty()) hello["settings"] = Json::parse(settings);
+  if (!settings.empty()) hello["settings"] = Written::parse(settings);
   return lineOf(hello);
 }
 
 std::string startMessage(const Executable& executable, const Start& start, Nanoseconds date) {
-  Json message{{"type", "start"},
-               {"run", start.run},
-               {"skill", executable.model.performed[start.action].skill},
-               {"time", static_cast<double>(date) / static_cast<double>(kSecond)},
-               {"arguments", argumentsOf(start)}};
+  Written message{{"type", "start"},
+                  {"run", start.run},
+                  {"skill", executable.model.performed[start.action].skill},
+                  {"time", static_cast<double>(date) / static_cast<double>(kSecond)},
+                  {"arguments", argumentsOf(start)}};
   if (start.call) message["command"] = start.call->command;
   return lineOf(message);
 }
 
-Json argumentsOf(const Start& start) {
-  Json list = Json::array();
+nlohmann::ordered_json argumentsOf(const Start& start) {
+  auto list = Written::array();
   if (!start.call) return list;
   for (const auto& argument : start.call->arguments) list.push_back(valueOf(argument));
   return list;

@@ -22,7 +22,7 @@ inline constexpr int kProtocol = 1;
 [[nodiscard]] std::string startMessage(const Executable& executable, const Start& start,
                                        Nanoseconds date);
 /// The arguments of a started action, as a list. Those that the model does not contain are null.
-[[nodiscard]] Json argumentsOf(const Start& start);
+[[nodiscard]] nlohmann::ordered_json argumentsOf(const Start& start);
 [[nodiscard]] std::string stopMessage(RunNumber run);
 [[nodiscard]] std::string abandonMessage(RunNumber run);
 [[nodiscard]] std::string endMessage();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "runtime/platform/file_error.h"
 #include "runtime/platform/platform.h"
 
 #include <expected>
@@ -21,6 +22,7 @@ struct ProcessSettings {
   /// Its name in messages.
   std::string name = "the platform's program";
   bool isOurs = false; ///< it is `proskill` itself, whose error messages are whole sentences
+  std::optional<FilePlace> place{}; ///< in the platform file, of what it loads
 };
 
 /// Why a platform cannot be used.

@@ -1,8 +1,6 @@
 #include "runtime/platform/ros.h"
 
-#include "runtime/platform/json_place.h"
-#include "runtime/platform/ros_actions.h"
-#include "runtime/platform/ros_sensors.h"
+#include "runtime/platform/ros_mapping.h"
 #include "runtime/platform/settings.h"
 
 #include <fmt/format.h>
@@ -20,6 +18,7 @@ constexpr int kDomains = 232;
 bool isLetter(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
 std::string nodeOf(const Json& file) {
+  if (!file.contains("node")) return "proskill";
   const auto& node = wordAt(file, "node", "the platform");
   if (!std::ranges::all_of(node, isLetter) || std::isdigit(static_cast<unsigned char>(node[0])))
     throw Wrong{"`node` must be a name of letters, digits and _", &node};
@@ -51,23 +50,31 @@ void checkFields(const Json& fields, const std::string& of) {
   }
 }
 
-Json typesOf(const Json& file) {
+Json typesOf(const Json& file, Errors& errors) {
   for (const auto& [name, fields] : objectAt(file, "types"))
-    checkFields(fields, "`types`: `" + name + "`");
+    errors.attempt([&] { checkFields(fields, "`types`: `" + name + "`"); });
   return file.contains("types") ? file["types"] : Json::object();
 }
 
-void addRos2(Json& made, const Json& file, const std::string& library) {
+void addRos2(Json& made, const Json& file, const std::string& library, Errors& errors) {
   made["library"] = library;
-  made["namespace"] = file.contains("namespace") ? namespaceOf(file) : "";
-  made["domain"] = file.contains("domain") ? domainOf(file) : Json();
-  made["types"] = typesOf(file);
+  made["namespace"] =
+      errors.attempt([&] { return file.contains("namespace") ? namespaceOf(file) : ""; });
+  made["domain"] =
+      errors.attempt([&] { return file.contains("domain") ? domainOf(file) : Json(); });
+  made["types"] = errors.attempt([&] { return typesOf(file, errors); });
+}
+
+std::string pythonOf(const Json& file, Ros ros) {
+  if (file.contains("python")) return wordAt(file, "python", "the platform");
+  return ros == Ros::One ? "/usr/bin/python3" : "python3";
 }
 
 class RosReader {
 public:
-  RosReader(const analysis::Program& of, const codegen::PlatformInterface& with, Ros kind)
-      : program(of), interface(with), ros(kind) {}
+  RosReader(const analysis::Program& of, const codegen::PlatformInterface& with, Ros kind,
+            Errors& by)
+      : program(of), interface(with), ros(kind), errors(by) {}
 
   /// \return the mapping in terms of the adapter: positions of arguments, names of events
   Json platform(const Json& file, const std::string& library) {
@@ -75,55 +82,61 @@ public:
                                    "actions", "variables", "events",       "python",
                                    "startup", "restarts",  "restart_delay"};
     if (ros == Ros::Two) known.insert(known.end(), {"namespace", "domain", "types"});
-    allowMembers(file, known, "the platform");
-    Json made{{"node", "proskill"}, {"patience", 5.0}, {"actions", Json::object()}};
-    if (file.contains("node")) made["node"] = nodeOf(file);
-    if (file.contains("patience")) made["patience"] = inSeconds(file["patience"], "patience");
-    if (ros == Ros::Two) addRos2(made, file, library);
-    for (const auto& [skill, value] : objectAt(file, "actions"))
-      made["actions"][skill] = rosAction(program, performedNamed(skill), value, ros);
-    for (const auto& performed : interface.performed)
-      if (!made["actions"].contains(performed.skill))
-        throw WrongSkill{"the platform file has no action for `" + performed.skill + "`",
-                         performed.skill};
-    made["sensors"] = rosSensors(program, file, ros);
+    allowMembers(file, known, "the platform", errors);
+    Json made{{"node", errors.attempt([&] { return nodeOf(file); })},
+              {"patience", errors.attempt([&] { return patienceOf(file); })},
+              {"actions", errors.attempt([&] { return actions(file); })},
+              {"sensors", rosSensors(program, file, ros, errors)}};
+    if (ros == Ros::Two) addRos2(made, file, library, errors);
     return made;
   }
 
 private:
+  static double patienceOf(const Json& file) {
+    constexpr double kUsual = 5;
+    return file.contains("patience") ? inSeconds(file["patience"], "patience") : kUsual;
+  }
+
+  Json actions(const Json& file) {
+    const auto& given = objectAt(file, "actions");
+    Json made = Json::object();
+    for (const auto& [skill, value] : given)
+      errors.attempt(
+          [&] { made[skill] = rosAction(program, performedNamed(skill), value, ros, errors); });
+    for (const auto& performed : interface.performed)
+      if (!given.contains(performed.skill))
+        errors.note({.why = "the platform file has no action for `" + performed.skill + "`",
+                     .skill = performed.skill});
+    return made;
+  }
+
   [[nodiscard]] const codegen::Performed& performedNamed(const std::string& name) const {
     const auto& all = interface.performed;
     const auto found = std::ranges::find(all, name, &codegen::Performed::skill);
     if (found != all.end()) return *found;
     std::vector<std::string> names;
     for (const auto& each : all) names.push_back(each.skill);
-    throwUnknown("basic skill", name, names);
+    throw unknown("basic skill", name, names);
   }
 
   const analysis::Program& program;
   const codegen::PlatformInterface& interface;
   Ros ros;
+  Errors& errors;
 };
 
 } // namespace
 
-std::optional<FileError> readRosPlatform(std::string_view text, Ros ros,
-                                         const analysis::Program& program,
-                                         const codegen::PlatformInterface& interface,
-                                         ProcessSettings& settings, const std::string& library) {
-  const auto read = [&](const Json& file) {
-    auto mapping = RosReader(program, interface, ros).platform(file, library);
-    readLife(file, settings);
+FileErrors readRosPlatform(const JsonFile& from, Ros ros, const analysis::Program& program,
+                           const codegen::PlatformInterface& interface, ProcessSettings& settings,
+                           const std::string& library) {
+  return from.read([&](const Json& file, Errors& errors) {
+    auto mapping = RosReader(program, interface, ros, errors).platform(file, library);
+    readLife(file, settings, errors);
     mapping["startup"] = static_cast<double>(settings.startup) / static_cast<double>(kSecond);
     settings.settings = mapping.dump();
-    const auto* usual = ros == Ros::One ? "/usr/bin/python3" : "python3";
-    settings.command = {file.contains("python") ? wordAt(file, "python", "the platform") : usual};
-  };
-  try {
-    return readFile(text, read);
-  } catch (const WrongSkill& wrong) {
-    return FileError{wrong.why, {}, wrong.skill};
-  }
+    settings.command = {errors.attempt([&] { return pythonOf(file, ros); })};
+  });
 }
 
 } // namespace proskill::runtime

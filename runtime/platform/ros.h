@@ -1,22 +1,21 @@
 #pragma once
 
-#include "runtime/platform/file_error.h"
+#include "runtime/platform/json_file.h"
 #include "runtime/platform/process.h"
 #include "runtime/platform/ros_words.h"
 
-#include <optional>
-#include <string_view>
+#include <string>
 
 namespace proskill::runtime {
 
 /// Reads the file of a platform of kind `ros1` or `ros2`, and checks it against the program. The
 /// settings get what the adapter, `proskill.ros1` or `proskill.ros2`, needs to know:
-/// docs/ros/ros1.md, docs/ros/ros2.md. The error names the skill that has no action. \param library
+/// docs/ros/ros1.md, docs/ros/ros2.md. An error names each skill that has no action. \param library
 /// of ROS 2: the shared library with which the adapter reaches DDS
-[[nodiscard]] std::optional<FileError> readRosPlatform(std::string_view text, Ros ros,
-                                                       const analysis::Program& program,
-                                                       const codegen::PlatformInterface& interface,
-                                                       ProcessSettings& settings,
-                                                       const std::string& library = "");
+[[nodiscard]] FileErrors readRosPlatform(const JsonFile& file, Ros ros,
+                                         const analysis::Program& program,
+                                         const codegen::PlatformInterface& interface,
+                                         ProcessSettings& settings,
+                                         const std::string& library = "");
 
 } // namespace proskill::runtime

@@ -1,4 +1,4 @@
-#include "runtime/platform/ros_actions.h"
+#include "runtime/platform/ros_mapping.h"
 
 #include "runtime/platform/messages.h"
 
@@ -26,65 +26,80 @@ std::string joined(const std::vector<std::string>& names) {
 
 class ActionReader {
 public:
-  ActionReader(const analysis::Program& of, Ros kind) : program(of), ros(kind) {}
+  ActionReader(const analysis::Program& of, Ros kind, Errors& by)
+      : program(of), ros(kind), errors(by) {}
 
-  [[nodiscard]] Json action(const codegen::Performed& performed, const Json& value) const {
+  [[nodiscard]] Json action(const codegen::Performed& performed, const Json& value) {
     const auto of = "`" + performed.skill + "`";
     if (!value.is_object()) throw Wrong{of + " must be an object", &value};
     if (value.contains("service")) return service(performed, value, of);
     if (value.contains("topic")) return topic(performed, value, of);
     if (!value.contains("action"))
       throw Wrong{of + ": `action`, `service` or `topic` is missing", &value};
-    allowMembers(value, {"action", "type", "goal", "results"}, of);
+    allowMembers(value, {"action", "type", "goal", "results"}, of, errors);
     return {{"kind", "action"},
-            {"name", wordAt(value, "action", of)},
-            {"type", typeAt(value, of, ros, "action")},
-            {"fields", fields(performed, value, "goal")},
-            {"results", terminalStates(performed, value, of)}};
+            {"name", errors.attempt([&] { return wordAt(value, "action", of); })},
+            {"type", errors.attempt([&] { return typeAt(value, of, ros, "action"); })},
+            {"fields", errors.attempt([&] { return fields(performed, value, "goal"); })},
+            {"results", errors.attempt([&] { return terminalStates(performed, value, of); })}};
   }
 
 private:
   using Performed = codegen::Performed;
 
-  [[nodiscard]] Json service(const Performed& performed, const Json& value,
-                             const std::string& of) const {
-    allowMembers(value, {"service", "type", "request", "results"}, of);
-    if (!value.contains("results")) throw Wrong{of + ": `results` is missing", &value};
+  [[nodiscard]] Json service(const Performed& performed, const Json& value, const std::string& of) {
+    allowMembers(value, {"service", "type", "request", "results"}, of, errors);
+    if (!value.contains("results")) errors.note({of + ": `results` is missing", &value});
     return {{"kind", "service"},
-            {"name", wordAt(value, "service", of)},
-            {"type", typeAt(value, of, ros, "srv")},
-            {"fields", fields(performed, value, "request")},
-            {"results", resultCases(performed, value["results"], of)}};
+            {"name", errors.attempt([&] { return wordAt(value, "service", of); })},
+            {"type", errors.attempt([&] { return typeAt(value, of, ros, "srv"); })},
+            {"fields", errors.attempt([&] { return fields(performed, value, "request"); })},
+            {"results", casesOfService(performed, value, of)}};
   }
 
-  [[nodiscard]] Json topic(const Performed& performed, const Json& value,
-                           const std::string& of) const {
-    allowMembers(value, {"topic", "type", "message", "result"}, of);
+  [[nodiscard]] Json topic(const Performed& performed, const Json& value, const std::string& of) {
+    allowMembers(value, {"topic", "type", "message", "result"}, of, errors);
     return {{"kind", "topic"},
-            {"name", wordAt(value, "topic", of)},
-            {"type", typeAt(value, of, ros, "msg")},
-            {"fields", fields(performed, value, "message")},
-            {"result", value.contains("result") ? result(performed, stringAt(value, "result"))
-                                                : onlyResult(performed, "success", of, value)}};
+            {"name", errors.attempt([&] { return wordAt(value, "topic", of); })},
+            {"type", errors.attempt([&] { return typeAt(value, of, ros, "msg"); })},
+            {"fields", errors.attempt([&] { return fields(performed, value, "message"); })},
+            {"result", errors.attempt([&] { return resultOfTopic(performed, value, of); })}};
+  }
+
+  [[nodiscard]] static std::string resultOfTopic(const Performed& performed, const Json& value,
+                                                 const std::string& of) {
+    return value.contains("result") ? result(performed, stringAt(value, "result"))
+                                    : onlyResult(performed, "success", of, value);
+  }
+
+  [[nodiscard]] Json casesOfService(const Performed& performed, const Json& value,
+                                    const std::string& of) {
+    if (!value.contains("results")) return nullptr;
+    return errors.attempt([&] { return resultCases(performed, value["results"], of); });
   }
 
   /// Fields of a message by their paths: literals, and `$name` for an argument of the action.
-  [[nodiscard]] Json fields(const Performed& performed, const Json& value,
-                            const std::string& key) const {
+  [[nodiscard]] Json fields(const Performed& performed, const Json& value, const std::string& key) {
     Json all = Json::array();
     for (const auto& [path, given] : objectAt(value, key)) {
-      if (!given.is_primitive() || given.is_null())
-        throw Wrong{fmt::format("`{}.{}.{}` must be a number, a string, true or false",
-                                performed.skill, key, path),
-                    &given};
+      if (!given.is_primitive() || given.is_null()) {
+        errors.note({fmt::format("`{}.{}.{}` must be a number, a string, true or false",
+                                 performed.skill, key, path),
+                     &given});
+        continue;
+      }
       Json one{{"path", path}};
-      if (given.is_string() && given.get_ref<const std::string&>().starts_with('$'))
-        setArgument(one, performed, given.get_ref<const std::string&>());
-      else
-        one["value"] = given;
+      errors.attempt([&] { setValue(one, performed, given); });
       all.push_back(std::move(one));
     }
     return all;
+  }
+
+  void setValue(Json& field, const Performed& performed, const Json& given) const {
+    if (given.is_string() && given.get_ref<const std::string&>().starts_with('$'))
+      setArgument(field, performed, given.get_ref<const std::string&>());
+    else
+      field["value"] = given;
   }
 
   void setArgument(Json& field, const Performed& performed, const std::string& name) const {
@@ -101,7 +116,7 @@ private:
         return;
       }
     }
-    throwUnknown("argument of the action of `" + performed.skill + "`", name, names);
+    throw unknown("argument of the action of `" + performed.skill + "`", name, names);
   }
 
   static std::string typeOf(const syntax::Skill& skill, const std::string& parameter) {
@@ -112,11 +127,11 @@ private:
 
   // --- Results
 
-  [[nodiscard]] std::string result(const Performed& performed, const std::string& name) const {
+  [[nodiscard]] static std::string result(const Performed& performed, const std::string& name) {
     std::vector<std::string> names;
     for (const auto& each : performed.results) names.push_back(resultName(each));
     if (std::ranges::find(names, name) == names.end())
-      throwUnknown("result of `" + performed.skill + "`", name, names);
+      throw unknown("result of `" + performed.skill + "`", name, names);
     return name;
   }
 
@@ -130,17 +145,24 @@ private:
     return names.front();
   }
 
-  /// By terminal state of a goal. Without `results` a success is the only success, and the rest
-  /// the only failure.
-  [[nodiscard]] Json terminalStates(const Performed& performed, const Json& value,
-                                    const std::string& of) const {
+  /// The terminal states of a goal that the file names.
+  [[nodiscard]] Json namedStates(const Performed& performed, const Json& value,
+                                 const std::string& of) {
     const auto known = terminalStatesOf(ros);
     Json all = Json::object();
     for (const auto& [state, given] : objectAt(value, "results")) {
       if (std::ranges::find(known, state) == known.end())
-        throwUnknown("terminal state", state, known);
-      all[state] = resultCases(performed, given, of);
+        errors.note(unknown("terminal state", state, known));
+      all[state] = errors.attempt([&] { return resultCases(performed, given, of); });
     }
+    return all;
+  }
+
+  /// By terminal state of a goal. Without `results` a success is the only success, and the rest
+  /// the only failure.
+  [[nodiscard]] Json terminalStates(const Performed& performed, const Json& value,
+                                    const std::string& of) {
+    auto all = namedStates(performed, value, of);
     if (!all.contains("succeeded"))
       all["succeeded"] = Json::array({{{"result", onlyResult(performed, "success", of, value)}}});
     const auto failures =
@@ -153,32 +175,38 @@ private:
 
   /// A result, or a list of cases, of which the first that holds counts.
   [[nodiscard]] Json resultCases(const Performed& performed, const Json& value,
-                                 const std::string& of) const {
+                                 const std::string& of) {
     if (value.is_string())
       return Json::array({{{"result", result(performed, value.get_ref<const std::string&>())}}});
     Json all = Json::array();
-    for (const auto& each : listOf(value, of + ".results")) {
-      allowMembers(each, {"field", "below", "above", "equals", "result"}, "a result of " + of);
-      auto made = conditionOf(each, of);
-      if (!made.empty()) made["field"] = wordAt(each, "field", of);
-      if (made.empty() && each.contains("field"))
-        throw Wrong{of + ": a `field` without `below`, `above` or `equals`", &each};
-      made["result"] = result(performed, wordAt(each, "result", of));
-      all.push_back(std::move(made));
-    }
+    for (const auto& each : listOf(value, of + ".results"))
+      all.push_back(errors.attempt([&] { return resultCase(performed, each, of); }));
     if (all.empty()) throw Wrong{of + ": a list of results must not be empty", &value};
     return all;
   }
 
+  [[nodiscard]] Json resultCase(const Performed& performed, const Json& each,
+                                const std::string& of) {
+    allowMembers(each, {"field", "below", "above", "equals", "result"}, "a result of " + of,
+                 errors);
+    auto made = conditionOf(each, of);
+    if (!made.empty()) made["field"] = wordAt(each, "field", of);
+    if (made.empty() && each.contains("field"))
+      throw Wrong{of + ": a `field` without `below`, `above` or `equals`", &each};
+    made["result"] = result(performed, wordAt(each, "result", of));
+    return made;
+  }
+
   const analysis::Program& program;
   Ros ros;
+  Errors& errors;
 };
 
 } // namespace
 
 Json rosAction(const analysis::Program& program, const codegen::Performed& performed,
-               const Json& value, Ros ros) {
-  return ActionReader(program, ros).action(performed, value);
+               const Json& value, Ros ros, Errors& errors) {
+  return ActionReader(program, ros, errors).action(performed, value);
 }
 
 } // namespace proskill::runtime

@@ -1,4 +1,4 @@
-#include "runtime/platform/ros_sensors.h"
+#include "runtime/platform/ros_mapping.h"
 
 #include <algorithm>
 
@@ -8,62 +8,79 @@ namespace {
 
 class SensorReader {
 public:
-  SensorReader(const analysis::Program& of, Ros kind) : program(of), ros(kind) {}
+  SensorReader(const analysis::Program& of, Ros kind, Errors& by)
+      : program(of), ros(kind), errors(by) {}
 
-  [[nodiscard]] Json sensors(const Json& file) const {
+  [[nodiscard]] Json sensors(const Json& file) {
     Json all = Json::array();
-    for (const auto& [name, value] : objectAt(file, "variables"))
-      all.push_back(variable(name, value));
-    for (const auto& [name, value] : objectAt(file, "events")) all.push_back(event(name, value));
+    errors.attempt([&] {
+      for (const auto& [name, value] : objectAt(file, "variables"))
+        all.push_back(errors.attempt([&] { return variable(name, value); }));
+    });
+    errors.attempt([&] {
+      for (const auto& [name, value] : objectAt(file, "events"))
+        all.push_back(errors.attempt([&] { return event(name, value); }));
+    });
     return all;
   }
 
 private:
   /// What variables and events have in common.
-  [[nodiscard]] Json sensor(const std::string& name, const Json& value) const {
+  [[nodiscard]] Json sensor(const std::string& name, const Json& value) {
     const auto of = "`" + name + "`";
     Json made{{"name", name},
-              {"topic", wordAt(value, "topic", of)},
-              {"type", typeAt(value, of, ros, "msg")},
-              {"field", wordAt(value, "field", of)},
-              {"hysteresis", 0.0},
-              {"timeout", nullptr},
+              {"topic", errors.attempt([&] { return wordAt(value, "topic", of); })},
+              {"type", errors.attempt([&] { return typeAt(value, of, ros, "msg"); })},
+              {"field", errors.attempt([&] { return wordAt(value, "field", of); })},
+              {"hysteresis", errors.attempt([&] { return hysteresisOf(value, of); })},
+              {"timeout", errors.attempt([&] { return timeoutOf(value, name); })},
               {"silent", nullptr}};
-    if (value.contains("hysteresis")) {
-      const auto& width = value["hysteresis"];
-      if (!width.is_number() || width.get<double>() < 0)
-        throw Wrong{of + ": `hysteresis` must be a number that is not negative", &width};
-      made["hysteresis"] = width;
-    }
-    if (value.contains("timeout")) made["timeout"] = inSeconds(value["timeout"], name + ".timeout");
-    if (value.contains("timeout") && made["timeout"] == 0.0)
-      throw Wrong{of + ": `timeout` must be more than 0 s", &value["timeout"]};
     if (value.contains("timeout") != value.contains("silent"))
-      throw Wrong{of + ": `timeout` and `silent` belong together", &value};
+      errors.note({of + ": `timeout` and `silent` belong together", &value});
     return made;
   }
 
-  [[nodiscard]] Json variable(const std::string& name, const Json& value) const {
+  static Json hysteresisOf(const Json& value, const std::string& of) {
+    if (!value.contains("hysteresis")) return 0.0;
+    const auto& width = value["hysteresis"];
+    if (width.is_number() && width.get<double>() >= 0) return width;
+    throw Wrong{of + ": `hysteresis` must be a number that is not negative", &width};
+  }
+
+  static Json timeoutOf(const Json& value, const std::string& name) {
+    if (!value.contains("timeout")) return nullptr;
+    const auto timeout = inSeconds(value["timeout"], name + ".timeout");
+    if (timeout > 0) return timeout;
+    throw Wrong{"`" + name + "`: `timeout` must be more than 0 s", &value["timeout"]};
+  }
+
+  [[nodiscard]] Json variable(const std::string& name, const Json& value) {
     const auto of = "`" + name + "`";
-    allowMembers(value, {"topic", "type", "field", "hysteresis", "timeout", "silent", "values"},
-                 of);
+    allowMembers(value, {"topic", "type", "field", "hysteresis", "timeout", "silent", "values"}, of,
+                 errors);
     const auto* definition = program.stateVariables.find(name);
-    if (!definition) throwUnknown("state variable", name, variableNames());
+    if (!definition) throw unknown("state variable", name, variableNames());
     if (definition->node().isNatural())
       throw Wrong{of + " is a number; only values can be mapped", &name};
     auto made = sensor(name, value);
-    if (value.contains("silent"))
-      made["silent"] = eventThatSets(*definition, stringAt(value, "silent"));
-    made["cases"] = Json::array();
+    errors.attempt([&] {
+      if (value.contains("silent"))
+        made["silent"] = eventThatSets(*definition, stringAt(value, "silent"));
+    });
     if (!value.contains("values")) throw Wrong{of + ": `values` is missing", &value};
-    for (const auto& each : listOf(value["values"], name + ".values")) {
-      allowMembers(each, {"value", "below", "above", "equals"}, "a value of " + of);
-      auto one = conditionOf(each, of);
-      one["event"] = eventThatSets(*definition, wordAt(each, "value", of));
-      made["cases"].push_back(std::move(one));
-    }
+    made["cases"] = Json::array();
+    for (const auto& each : listOf(value["values"], name + ".values"))
+      made["cases"].push_back(errors.attempt([&] { return valueCase(*definition, each, of); }));
     rejectUnreachable(made["cases"], value["values"], of);
     return made;
+  }
+
+  [[nodiscard]] Json valueCase(const analysis::Definition<syntax::StateVariable>& variable,
+                               const Json& each, const std::string& of) {
+    allowMembers(each, {"value", "below", "above", "equals"}, "a value of " + of, errors);
+    auto one = conditionOf(each, of);
+    one["event"] = eventThatSets(variable, wordAt(each, "value", of));
+    return one;
   }
 
   /// The first case without a condition is always taken.
@@ -75,9 +92,10 @@ private:
                     &values[i + 1]};
   }
 
-  [[nodiscard]] Json event(const std::string& name, const Json& value) const {
+  [[nodiscard]] Json event(const std::string& name, const Json& value) {
     const auto of = "`" + name + "`";
-    allowMembers(value, {"topic", "type", "field", "hysteresis", "below", "above", "equals"}, of);
+    allowMembers(value, {"topic", "type", "field", "hysteresis", "below", "above", "equals"}, of,
+                 errors);
     requireEvent(name);
     auto made = sensor(name, value);
     auto condition = conditionOf(value, of);
@@ -90,7 +108,7 @@ private:
   void requireEvent(const std::string& name) const {
     std::vector<std::string> names;
     for (const auto& event : program.events.all) names.emplace_back(event.name());
-    if (std::ranges::find(names, name) == names.end()) throwUnknown("event", name, names);
+    if (std::ranges::find(names, name) == names.end()) throw unknown("event", name, names);
   }
 
   /// The event whose only effect is that the variable gets this value.
@@ -101,7 +119,7 @@ private:
     for (const auto& state : variable->states) values.emplace_back(state.text);
     const auto name = std::string(variable.name());
     if (std::ranges::find(values, value) == values.end())
-      throwUnknown("value of `" + name + "`", value, values);
+      throw unknown("value of `" + name + "`", value, values);
     for (const auto& event : program.events.all) {
       const auto& effects = event->effects.items;
       if (effects.size() == 1 && effects[0].variable.text == name &&
@@ -121,12 +139,13 @@ private:
 
   const analysis::Program& program;
   Ros ros;
+  Errors& errors;
 };
 
 } // namespace
 
-Json rosSensors(const analysis::Program& program, const Json& file, Ros ros) {
-  return SensorReader(program, ros).sensors(file);
+Json rosSensors(const analysis::Program& program, const Json& file, Ros ros, Errors& errors) {
+  return SensorReader(program, ros, errors).sensors(file);
 }
 
 } // namespace proskill::runtime

@@ -10,12 +10,6 @@ namespace proskill::runtime {
 
 enum class Ros { One, Two };
 
-/// An error about a skill, which is shown at the skill.
-struct WrongSkill {
-  std::string why;
-  std::string skill;
-};
-
 /// A name, a type or a path: a string that is not empty.
 [[nodiscard]] const std::string& wordAt(const Json& value, const std::string& key,
                                         const std::string& of);

@@ -1,6 +1,5 @@
 #include "runtime/platform/settings.h"
 
-#include "runtime/platform/json_place.h"
 #include "runtime/platform/messages.h"
 
 #include <algorithm>
@@ -11,41 +10,50 @@ namespace {
 
 class Reader {
 public:
-  Reader(const codegen::PlatformInterface& of, SimulationSettings& to)
-      : interface(of), settings(to) {}
+  Reader(const codegen::PlatformInterface& of, SimulationSettings& to, Errors& by)
+      : interface(of), settings(to), errors(by) {}
 
   void platform(const Json& file) {
-    allowMembers(file, {"kind", "$schema", "actions", "events", "interrupts"}, "the platform");
-    for (const auto& [name, value] : objectAt(file, "actions")) action(name, value);
-    for (const auto& [name, value] : objectAt(file, "events"))
-      every(signal(name, false), name, value);
-    for (const auto& [name, value] : objectAt(file, "interrupts"))
-      every(signal(name, true), name, value);
+    allowMembers(file, {"kind", "$schema", "actions", "events", "interrupts"}, "the platform",
+                 errors);
+    eachMember(file, "actions", [&](const auto& name, const auto& value) { action(name, value); });
+    for (const bool interrupts : {false, true})
+      eachMember(file, interrupts ? "interrupts" : "events",
+                 [&](const auto& name, const auto& value) {
+                   every(signal(name, interrupts), name, value);
+                 });
   }
 
   void script(const Json& file) {
-    allowMembers(file, {"$schema", "actions", "signals"}, "the script");
-    for (const auto& [name, value] : objectAt(file, "actions")) {
-      auto& endings = settings.endings[actionNamed(name)];
-      for (const auto& ending : listOf(value, name)) endings.push_back(endingOf(name, ending));
-    }
+    allowMembers(file, {"$schema", "actions", "signals"}, "the script", errors);
+    eachMember(file, "actions", [&](const auto& name, const auto& value) { runs(name, value); });
     if (file.contains("signals")) {
       // with a script, nothing else happens
       std::ranges::fill(settings.signals, std::nullopt);
-      for (const auto& said : listOf(file["signals"], "signals"))
-        settings.script.push_back(saidOf(said));
+      errors.attempt([&] {
+        for (const auto& said : listOf(file["signals"], "signals"))
+          errors.attempt([&] { settings.script.push_back(saidOf(said)); });
+      });
     }
     std::ranges::stable_sort(settings.script, {}, &SimulationSettings::Said::date);
   }
 
 private:
+  /// Reads the members of an optional object.
+  template <class Call> void eachMember(const Json& file, const char* key, Call&& call) {
+    errors.attempt([&] {
+      for (const auto& [name, value] : objectAt(file, key))
+        errors.attempt([&] { call(name, value); });
+    });
+  }
+
   [[nodiscard]] std::uint32_t actionNamed(const std::string& name) const {
     const auto& all = interface.performed;
     const auto found = std::ranges::find(all, name, &codegen::Performed::skill);
     if (found == all.end()) {
       std::vector<std::string> names;
       for (const auto& each : all) names.push_back(each.skill);
-      throwUnknown("basic skill", name, names);
+      throw unknown("basic skill", name, names);
     }
     return static_cast<std::uint32_t>(found - all.begin());
   }
@@ -58,7 +66,7 @@ private:
       if (all[i].name == name) return i;
       names.push_back(all[i].name);
     }
-    throwUnknown(interrupts ? "skill with `:interrupt`" : "event", name, names);
+    throw unknown(interrupts ? "skill with `:interrupt`" : "event", name, names);
   }
 
   [[nodiscard]] std::uint32_t resultNamed(std::uint32_t action, const std::string& name) const {
@@ -68,25 +76,46 @@ private:
       if (resultName(all[i]) == name) return i;
       names.push_back(resultName(all[i]));
     }
-    throwUnknown("result of `" + interface.performed[action].skill + "`", name, names);
+    throw unknown("result of `" + interface.performed[action].skill + "`", name, names);
   }
 
   void action(const std::string& name, const Json& value) {
     const auto index = actionNamed(name);
     auto& action = settings.actions[index];
-    allowMembers(value, {"duration", "stops", "results"}, "`" + name + "`");
-    if (value.contains("duration")) action.duration = spanOf(value["duration"], name + ".duration");
-    if (value.contains("stops")) action.stops = spanOf(value["stops"], name + ".stops");
-    if (!value.contains("results")) return;
-    std::ranges::fill(action.weights, 0U);
+    allowMembers(value, {"duration", "stops", "results"}, "`" + name + "`", errors);
+    errors.attempt([&] {
+      if (value.contains("duration"))
+        action.duration = spanOf(value["duration"], name + ".duration");
+    });
+    errors.attempt([&] {
+      if (value.contains("stops")) action.stops = spanOf(value["stops"], name + ".stops");
+    });
+    if (value.contains("results")) weights(index, value);
+  }
+
+  void weights(std::uint32_t index, const Json& value) {
+    auto& weights = settings.actions[index].weights;
+    std::ranges::fill(weights, 0U);
+    const auto before = errors.all().size();
     unsigned sum = 0;
-    for (const auto& [result, weight] : objectAt(value, "results")) {
-      if (!weight.is_number_unsigned() || weight.get<std::uint64_t>() > 1'000'000)
-        throw Wrong{"the weight of `" + result + "` must be a natural number up to a million",
-                    &weight};
-      sum += action.weights[resultNamed(index, result)] = weight.get<unsigned>();
-    }
-    if (sum == 0) throw Wrong{"no result of `" + name + "` has a weight", &value["results"]};
+    eachMember(value, "results", [&](const auto& result, const auto& weight) {
+      sum += weights[resultNamed(index, result)] = weightOf(result, weight);
+    });
+    if (sum == 0 && errors.all().size() == before)
+      throw Wrong{"no result of `" + interface.performed[index].skill + "` has a weight",
+                  &value["results"]};
+  }
+
+  static unsigned weightOf(const std::string& result, const Json& weight) {
+    if (weight.is_number_unsigned() && weight.get<std::uint64_t>() <= 1'000'000)
+      return weight.get<unsigned>();
+    throw Wrong{"the weight of `" + result + "` must be a natural number up to a million", &weight};
+  }
+
+  void runs(const std::string& name, const Json& value) {
+    auto& endings = settings.endings[actionNamed(name)];
+    for (const auto& ending : listOf(value, name))
+      errors.attempt([&] { endings.push_back(endingOf(name, ending)); });
   }
 
   void every(std::uint32_t index, const std::string& name, const Json& value) {
@@ -101,7 +130,7 @@ private:
 
   [[nodiscard]] SimulationSettings::Ending endingOf(const std::string& name,
                                                     const Json& value) const {
-    allowMembers(value, {"result", "after"}, "a run of `" + name + "`");
+    allowMembers(value, {"result", "after"}, "a run of `" + name + "`", errors);
     SimulationSettings::Ending ending;
     if (value.contains("after")) ending.after = secondsOf(value["after"], name + ".after");
     if (value.contains("result")) {
@@ -111,7 +140,7 @@ private:
   }
 
   [[nodiscard]] SimulationSettings::Said saidOf(const Json& value) const {
-    allowMembers(value, {"at", "event", "interrupt"}, "a signal");
+    allowMembers(value, {"at", "event", "interrupt"}, "a signal", errors);
     const bool interrupts = value.contains("interrupt");
     const std::string key = interrupts ? "interrupt" : "event";
     if (!value.contains("at") || !value.contains(key) || !value[key].is_string())
@@ -121,101 +150,129 @@ private:
 
   const codegen::PlatformInterface& interface;
   SimulationSettings& settings;
+  Errors& errors;
 };
 
-void processSettings(const Json& file, ProcessSettings& settings) {
-  allowMembers(file, {"kind", "$schema", "command", "startup", "restarts", "restart_delay"},
-               "the platform");
+std::vector<std::string> commandOf(const Json& file) {
   if (!file.contains("command")) throw Wrong{"`command` is missing: the program and its arguments"};
+  std::vector<std::string> command;
   for (const auto& word : listOf(file["command"], "command")) {
     if (!word.is_string()) throw Wrong{"`command` must be a list of strings", &word};
-    settings.command.push_back(word.get<std::string>());
+    command.push_back(word.get<std::string>());
   }
-  if (settings.command.empty() || settings.command.front().empty())
+  if (command.empty() || command.front().empty())
     throw Wrong{"`command` must begin with a program", &file["command"]};
-  readLife(file, settings);
+  return command;
 }
 
-void librarySettings(const Json& file, const codegen::PlatformInterface& interface,
-                     LibrarySettings& settings) {
-  allowMembers(file,
-               {"kind", "$schema", "library", "functions", "startup", "restarts", "restart_delay"},
-               "the platform");
+std::string libraryOf(const Json& file) {
   if (!file.contains("library")) throw Wrong{"`library` is missing: the file of a shared library"};
-  settings.library = stringAt(file, "library");
-  if (settings.library.empty())
+  const auto& library = stringAt(file, "library");
+  if (library.empty())
     throw Wrong{"`library` must be the file of a shared library", &file["library"]};
+  return library;
+}
+
+std::map<std::string, std::string>
+functionsOf(const Json& file, const codegen::PlatformInterface& interface, Errors& errors) {
   std::vector<std::string> skills;
   for (const auto& performed : interface.performed) skills.push_back(performed.skill);
+  std::map<std::string, std::string> functions;
   for (const auto& [skill, function] : objectAt(file, "functions")) {
     if (std::ranges::find(skills, skill) == skills.end())
-      throwUnknown("basic skill", skill, skills);
-    if (!function.is_string() || function.get_ref<const std::string&>().empty())
-      throw Wrong{"the function of `" + skill + "` must be a name", &function};
-    settings.functions[skill] = function.get<std::string>();
+      errors.note(unknown("basic skill", skill, skills));
+    else if (!function.is_string() || function.get_ref<const std::string&>().empty())
+      errors.note({"the function of `" + skill + "` must be a name", &function});
+    else
+      functions[skill] = function.get<std::string>();
   }
-  readLife(file, settings.process);
+  return functions;
+}
+
+unsigned restartsOf(const Json& file) {
+  if (!file.contains("restarts")) return 0;
+  const auto& restarts = file["restarts"];
+  if (!restarts.is_number_unsigned() || restarts.get<std::uint64_t>() > 1'000'000)
+    throw Wrong{"`restarts` must be a natural number up to a million", &restarts};
+  return restarts.get<unsigned>();
+}
+
+PlatformKind kindOf(const Json& file) {
+  static const std::map<std::string, PlatformKind, std::less<>> kinds{
+      {"simulated", PlatformKind::Simulated},
+      {"process", PlatformKind::Process},
+      {"library", PlatformKind::Library},
+      {"ros1", PlatformKind::Ros1},
+      {"ros2", PlatformKind::Ros2}};
+  if (!file.contains("kind")) return PlatformKind::Simulated;
+  const auto& named = stringAt(file, "kind");
+  if (const auto found = kinds.find(named); found != kinds.end()) return found->second;
+  throw Wrong{"`kind` must be `simulated`, `process`, `library`, `ros1` or `ros2`, not `" + named +
+                  "`",
+              &named};
 }
 
 } // namespace
 
-void readLife(const Json& file, ProcessSettings& settings) {
-  if (file.contains("startup")) settings.startup = secondsOf(file["startup"], "startup");
-  if (settings.startup == 0) throw Wrong{"`startup` must be more than 0 s", &file["startup"]};
-  if (file.contains("restart_delay"))
-    settings.restartDelay = secondsOf(file["restart_delay"], "restart_delay");
-  if (!file.contains("restarts")) return;
-  const auto& restarts = file["restarts"];
-  if (!restarts.is_number_unsigned() || restarts.get<std::uint64_t>() > 1'000'000)
-    throw Wrong{"`restarts` must be a natural number up to a million", &restarts};
-  settings.restarts = restarts.get<unsigned>();
+void readLife(const Json& file, ProcessSettings& settings, Errors& errors) {
+  errors.attempt([&] {
+    if (file.contains("startup")) settings.startup = secondsOf(file["startup"], "startup");
+    if (settings.startup == 0) throw Wrong{"`startup` must be more than 0 s", &file["startup"]};
+  });
+  errors.attempt([&] {
+    if (file.contains("restart_delay"))
+      settings.restartDelay = secondsOf(file["restart_delay"], "restart_delay");
+  });
+  settings.restarts = errors.attempt([&] { return restartsOf(file); });
 }
 
-std::optional<FileError> readPlatform(std::string_view text,
-                                      const codegen::PlatformInterface& interface,
-                                      SimulationSettings& settings) {
-  return readFile(text, [&](const Json& file) { Reader(interface, settings).platform(file); });
+std::expected<PlatformFile, FileErrors> PlatformFile::parse(std::string_view text) {
+  auto parsed = JsonFile::parse(text);
+  if (!parsed) return std::unexpected(std::move(parsed.error()));
+  PlatformFile made{std::move(*parsed)};
+  auto errors = made.file.read([&](const Json& file, Errors&) { made.kind = kindOf(file); });
+  if (!errors.empty()) return std::unexpected(std::move(errors));
+  return made;
 }
 
-std::optional<FileError> readScript(std::string_view text,
-                                    const codegen::PlatformInterface& interface,
-                                    SimulationSettings& settings) {
-  return readFile(text, [&](const Json& file) { Reader(interface, settings).script(file); });
-}
-
-std::optional<FileError> readProcessPlatform(std::string_view text, ProcessSettings& settings) {
-  return readFile(text, [&](const Json& file) { processSettings(file, settings); });
-}
-
-std::optional<FileError> readLibraryPlatform(std::string_view text,
-                                             const codegen::PlatformInterface& interface,
-                                             LibrarySettings& settings) {
-  return readFile(text, [&](const Json& file) {
-    librarySettings(file, interface, settings);
-    settings.place = placeOfPart(text, file, &file["library"]);
+FileErrors readSimulation(const JsonFile& from, const codegen::PlatformInterface& interface,
+                          SimulationSettings& settings) {
+  return from.read([&](const Json& file, Errors& errors) {
+    Reader(interface, settings, errors).platform(file);
   });
 }
 
-bool speaksForEnvironment(std::string_view text) {
-  const auto value = parsedText(text);
-  return value.is_object() &&
-         (value.contains("signals") || value.contains("events") || value.contains("interrupts"));
+FileErrors readScript(const JsonFile& from, const codegen::PlatformInterface& interface,
+                      SimulationSettings& settings) {
+  return from.read(
+      [&](const Json& file, Errors& errors) { Reader(interface, settings, errors).script(file); });
 }
 
-std::expected<std::string, FileError> platformKind(std::string_view text) {
-  std::string kind = "simulated";
-  const std::vector<std::string> known{"simulated", "process", "library", "ros1", "ros2"};
-  auto wrong = readFile(text, [&](const Json& file) {
-    if (!file.contains("kind")) return;
-    const auto& named = stringAt(file, "kind");
-    if (std::ranges::find(known, named) == known.end())
-      throw Wrong{"`kind` must be `simulated`, `process`, `library`, `ros1` or `ros2`, not `" +
-                      named + "`",
-                  &named};
-    kind = named;
+FileErrors readProcessPlatform(const JsonFile& from, ProcessSettings& settings) {
+  return from.read([&](const Json& file, Errors& errors) {
+    allowMembers(file, {"kind", "$schema", "command", "startup", "restarts", "restart_delay"},
+                 "the platform", errors);
+    settings.command = errors.attempt([&] { return commandOf(file); });
+    readLife(file, settings, errors);
   });
-  if (wrong) return std::unexpected(std::move(*wrong));
-  return kind;
+}
+
+FileErrors readLibraryPlatform(const JsonFile& from, const codegen::PlatformInterface& interface,
+                               LibrarySettings& settings) {
+  return from.read([&](const Json& file, Errors& errors) {
+    allowMembers(
+        file, {"kind", "$schema", "library", "functions", "startup", "restarts", "restart_delay"},
+        "the platform", errors);
+    settings.library = errors.attempt([&] { return libraryOf(file); });
+    if (!settings.library.empty()) settings.place = from.placeOf(&file["library"]);
+    settings.functions = errors.attempt([&] { return functionsOf(file, interface, errors); });
+    readLife(file, settings.process, errors);
+  });
+}
+
+bool speaksForEnvironment(const JsonFile& file) {
+  const auto& object = file.json();
+  return object.contains("signals") || object.contains("events") || object.contains("interrupts");
 }
 
 } // namespace proskill::runtime

@@ -1,30 +1,40 @@
 #pragma once
 
-#include "runtime/platform/file_error.h"
-#include "runtime/platform/json.h"
+#include "runtime/platform/json_file.h"
 #include "runtime/platform/process.h"
 #include "runtime/platform/simulated.h"
 
 #include <expected>
 #include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 
 /// The files of `--platform` and `--script`, both JSON.
 namespace proskill::runtime {
 
+enum class PlatformKind : std::uint8_t { Simulated, Process, Library, Ros1, Ros2 };
+
+/// A platform file, parsed once.
+struct PlatformFile {
+  JsonFile file;
+  PlatformKind kind = PlatformKind::Simulated;
+
+  /// Fails if it is not an object, or of no known kind.
+  [[nodiscard]] static std::expected<PlatformFile, FileErrors> parse(std::string_view text);
+};
+
 /// Reads the file of a simulated platform into the settings.
-/// \return an error
-[[nodiscard]] std::optional<FileError> readPlatform(std::string_view text,
-                                                    const codegen::PlatformInterface& interface,
-                                                    SimulationSettings& settings);
+[[nodiscard]] FileErrors readSimulation(const JsonFile& file,
+                                        const codegen::PlatformInterface& interface,
+                                        SimulationSettings& settings);
+/// Reads a script into the settings.
+[[nodiscard]] FileErrors readScript(const JsonFile& file,
+                                    const codegen::PlatformInterface& interface,
+                                    SimulationSettings& settings);
 /// Reads the file of a platform of kind `process` into the settings.
-/// \return an error
-[[nodiscard]] std::optional<FileError> readProcessPlatform(std::string_view text,
-                                                           ProcessSettings& settings);
-/// Reads what all kinds of processes have: `startup`, `restarts`, `restart_delay`. Throws `Wrong`.
-void readLife(const Json& file, ProcessSettings& settings);
+[[nodiscard]] FileErrors readProcessPlatform(const JsonFile& file, ProcessSettings& settings);
+/// Reads what all kinds of processes have: `startup`, `restarts`, `restart_delay`.
+void readLife(const Json& file, ProcessSettings& settings, Errors& errors);
 /// Contents of the file of a platform of kind `library`.
 struct LibrarySettings {
   std::string library;                          ///< a path, relative to the file's directory
@@ -33,19 +43,11 @@ struct LibrarySettings {
   ProcessSettings process;                      ///< without its command
   FilePlace place;                              ///< of the library in the file
 };
-[[nodiscard]] std::optional<FileError>
-readLibraryPlatform(std::string_view text, const codegen::PlatformInterface& interface,
-                    LibrarySettings& settings);
-/// Reads a script into the settings.
-/// \return an error
-[[nodiscard]] std::optional<FileError> readScript(std::string_view text,
-                                                  const codegen::PlatformInterface& interface,
-                                                  SimulationSettings& settings);
+[[nodiscard]] FileErrors readLibraryPlatform(const JsonFile& file,
+                                             const codegen::PlatformInterface& interface,
+                                             LibrarySettings& settings);
 
 /// Whether the file says when events come; the program's environment is then not executed.
-[[nodiscard]] bool speaksForEnvironment(std::string_view text);
-
-/// The kind of a platform file; `simulated` if it names none.
-[[nodiscard]] std::expected<std::string, FileError> platformKind(std::string_view text);
+[[nodiscard]] bool speaksForEnvironment(const JsonFile& file);
 
 } // namespace proskill::runtime

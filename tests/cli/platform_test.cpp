@@ -284,10 +284,11 @@ TEST_CASE("run says what is wrong with the platform that the program names") {
   CHECK(done.exitCode == 2);
   CHECK(done.err == "robot/skills.proskill:1:15: error: cannot read `robot/robot.json`: no such "
                     "file or directory\n");
-  const NamedPlatform wrong(R"({"actions": {"flie": {}}})");
+  const NamedPlatform wrong(R"({"actions": {"flie": {}}, "events": 3})");
   done = wrong.run();
   CHECK(done.exitCode == 2);
-  CHECK(done.err == "error: robot/robot.json:1:14: there is no basic skill `flie`\n");
+  CHECK(done.err == "error: robot/robot.json:1:14: there is no basic skill `flie`\n"
+                    "error: robot/robot.json:1:37: `events` must be an object\n");
 }
 
 TEST_CASE("check reports the platform that the program names, verify does not read it") {

@@ -25,7 +25,10 @@ constexpr const char* kWords[] = {"idle", "running", "success", "failure", "skip
 runtime::RunResult execute(const runtime::Executable& executable, runtime::Observer& observer,
                            std::uint64_t seed, const std::string& script, double until) {
   auto settings = runtime::defaultSettings(executable);
-  if (!script.empty()) REQUIRE(!runtime::readScript(script, executable.model, settings));
+  if (!script.empty())
+    REQUIRE(
+        runtime::readScript(runtime::JsonFile::parse(script).value(), executable.model, settings)
+            .empty());
   const auto platform = runtime::simulatedPlatform(std::move(settings), seed + 1);
   const auto clock = runtime::simulatedClock();
   runtime::RunOptions options{.seed = seed, .mostAtOnce = 2'000};

@@ -30,7 +30,8 @@ public:
 
   void start(const std::string& script = R"({"signals":[]})") {
     auto settings = defaultSettings(*executable);
-    REQUIRE(readScript(script, executable->model, settings) == std::nullopt);
+    REQUIRE(
+        readScript(runtime::JsonFile::parse(script).value(), executable->model, settings).empty());
     simulated = simulatedPlatform(std::move(settings), 1);
     platform = withInbox(*simulated, inbox, false);
     clock = pausableClock(runtime::simulatedClock(), pause);

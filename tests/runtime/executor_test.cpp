@@ -329,8 +329,9 @@ TEST_CASE("a run draws the initial values by its seed") {
 TEST_CASE("with ticks, what is due or reported is handled at the next tick, and dates stay exact") {
   const auto executable = test::executableOf(mission("(^ 1.25) (fly) (success done)"), false);
   auto settings = defaultSettings(*executable);
-  REQUIRE(readScript(R"({"signals":[],"actions":{"fly":[{"result":"there","after":2.3}]}})",
-                     executable->model, settings) == std::nullopt);
+  const auto script = runtime::JsonFile::parse(
+      R"({"signals":[],"actions":{"fly":[{"result":"there","after":2.3}]}})");
+  REQUIRE(readScript(script.value(), executable->model, settings).empty());
   const auto platform = simulatedPlatform(std::move(settings), 1);
   const auto clock = tickingClock(runtime::simulatedClock(), runtime::kSecond / 2);
   const auto ran = test::runOf(*executable, *platform, *clock, {});
@@ -344,9 +345,10 @@ TEST_CASE("with ticks, what is due or reported is handled at the next tick, and 
 TEST_CASE("a script about an action that the program does not have is refused") {
   const auto executable = test::executableOf(mission("(fly) (success done)"), false);
   auto settings = defaultSettings(*executable);
-  for (const auto* runs : {"[]", R"([{"after":1}])"})
-    CHECK(
-        readScript(std::string(R"({"actions":{"flie":)") + runs + "}}", executable->model, settings)
-            .value()
-            .text() == "1:13: there is no basic skill `flie`");
+  for (const auto* runs : {"[]", R"([{"after":1}])"}) {
+    const auto script =
+        runtime::JsonFile::parse(std::string(R"({"actions":{"flie":)") + runs + "}}");
+    CHECK(readScript(script.value(), executable->model, settings).at(0).text() ==
+          "1:13: there is no basic skill `flie`");
+  }
 }

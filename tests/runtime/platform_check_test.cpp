@@ -87,6 +87,17 @@ TEST_CASE("a finding about a platform is at its path, and knows the place in its
   CHECK(found[0].place.value().text() == "2:14");
 }
 
+TEST_CASE("each error of a platform is a finding") {
+  const auto found =
+      platformFindings(kFlight, R"({"actions": {"flie": {}}, "events": {"strom": 3}})");
+  REQUIRE(found.size() == 2);
+  CHECK(found[0].diagnostic.message == "`robot.json`:1:14: there is no basic skill `flie`");
+  CHECK(found[1].diagnostic.message ==
+        "`robot.json`:1:38: there is no event `strom`; did you mean `storm`?");
+  CHECK(found[0].place.value().text() == "1:14");
+  CHECK(found[1].place.value().text() == "1:38");
+}
+
 TEST_CASE("a basic skill without an action on the robot is related") {
   const auto found = platformFindings(kFlight, R"({"kind": "ros1"})");
   REQUIRE(found.size() == 1);

@@ -1,9 +1,12 @@
-#include "runtime/platform/json_place.h"
 #include "runtime/platform/messages.h"
+#include "runtime/platform/ros.h"
 #include "runtime/platform/settings.h"
 #include "tests/runtime/run_of.h"
+#include "tests/support/texts.h"
 
 #include <catch2/catch.hpp>
+
+#include <fmt/format.h>
 
 using namespace proskill;
 using Catch::StartsWith;
@@ -16,26 +19,30 @@ const std::string kProgram = R"(
   (defskill fly :action (fly) :interrupt () :success there :failure lost)
   (defskill mission :success done :body ((fly) (success done))))";
 
-std::string textOf(const std::optional<runtime::FileError>& error) {
-  return error ? error->text() : "";
+/// One error a line.
+std::string textOf(const runtime::FileErrors& errors) {
+  std::string lines;
+  for (const auto& error : errors) lines += (lines.empty() ? "" : "\n") + error.text();
+  return lines;
 }
 
 std::string platformError(const std::string& text) {
   const auto executable = test::executableOf(kProgram, false);
   auto settings = defaultSettings(*executable);
-  return textOf(readPlatform(text, executable->model, settings));
+  const auto file = runtime::JsonFile::parse(text);
+  return textOf(file ? readSimulation(*file, executable->model, settings) : file.error());
 }
 
 std::string scriptError(const std::string& text) {
   const auto executable = test::executableOf(kProgram, false);
   auto settings = defaultSettings(*executable);
-  return textOf(readScript(text, executable->model, settings));
+  return textOf(readScript(runtime::JsonFile::parse(text).value(), executable->model, settings));
 }
 
 /// The place of the value with this JSON pointer.
 std::string placeOf(const std::string& text, const std::string& pointer) {
-  const auto file = runtime::Json::parse(text);
-  return runtime::placeOfPart(text, file, &file.at(runtime::Json::json_pointer(pointer))).text();
+  const auto file = runtime::JsonFile::parse(text).value();
+  return file.placeOf(&file.json().at(runtime::Json::json_pointer(pointer))).text();
 }
 
 } // namespace
@@ -70,19 +77,80 @@ TEST_CASE("errors of a script are at the value that is wrong") {
         "1:47: there is no result of `fly` `gone`");
 }
 
+TEST_CASE("all errors of a platform file are reported, in the order of the file") {
+  CHECK(platformError(R"({"event": {}, "actions": {
+    "fly": {"speed": 1, "stops": 3, "duration": [2, 1], "results": {"there": -1, "gone": 1}},
+    "flie": {}}, "events": {"storm": [0, 1], "calm": null}})") ==
+        "1:2: there is no member `event`; did you mean `events`?\n"
+        "2:13: there is no member `speed`\n"
+        "2:34: `fly.stops` is not [LEAST, MOST]\n"
+        "2:49: `fly.duration` ends before it begins\n"
+        "2:78: the weight of `there` must be a natural number up to a million\n"
+        "2:82: there is no result of `fly` `gone`\n"
+        "3:5: there is no basic skill `flie`\n"
+        "3:38: `storm` may come again at once: let some time pass\n"
+        "3:46: there is no event `calm`");
+  CHECK(scriptError(R"({"actions": {"fly": [{"after": -1}, {"result": "gone"}]},
+                        "signals": [{"at": 1}, {"at": 2, "event": "calm"}]})") ==
+        "1:32: `fly.after` is not between 0 and 1e9 s\n"
+        "1:48: there is no result of `fly` `gone`\n"
+        "2:37: a signal must have `at` and either `event` or `interrupt`\n"
+        "2:67: there is no event `calm`");
+}
+
+TEST_CASE("all errors of a platform file of ROS are reported") {
+  const auto executable = test::executableOf(kProgram, false);
+  runtime::ProcessSettings settings;
+  const auto file = runtime::JsonFile::parse(R"({"kind": "ros2", "domain": 300, "restarts": -1,
+    "actions": {"fly": {"action": "/fly", "type": "Fly", "goal": {"x": [], "y": "$to"},
+                        "results": {"succeeded": "their", "lost": "lost"}}, "land": {}},
+    "variables": {"sky": {"topic": "", "type": "std_msgs/Bool", "field": "data",
+                          "values": [{"value": "Rainy"}, {"above": "x", "value": "Clear"}]}},
+    "events": {"storm": {"field": "data", "below": 3}}})");
+  const auto program = test::programOfText(kProgram);
+  CHECK(textOf(readRosPlatform(file.value(), runtime::Ros::Two, program, executable->model,
+                               settings)) ==
+        "1:28: `domain` must be a natural number up to 232\n"
+        "1:45: `restarts` must be a natural number up to a million\n"
+        "2:51: `fly`: the type `Fly` must have the form package/action/Type\n"
+        "2:72: `fly.goal.x` must be a number, a string, true or false\n"
+        "2:81: there is no argument of the action of `fly` `$to`\n"
+        "3:50: there is no result of `fly` `their`\n"
+        "3:59: there is no terminal state `lost`\n"
+        "3:77: there is no basic skill `land`\n"
+        "4:36: `sky`: `topic` must not be empty\n"
+        "4:48: `sky`: the type `std_msgs/Bool` must have the form package/msg/Type\n"
+        "5:48: there is no value of `sky` `Rainy`\n"
+        "5:68: `sky`: `above` must be a number\n"
+        "6:25: `storm`: `topic` is missing\n"
+        "6:25: `storm`: `type` is missing");
+}
+
+TEST_CASE("a file with many errors shows the first of them") {
+  std::string text = "{\"actions\": {";
+  for (int i = 0; i < 150; ++i) text += fmt::format("\n\"a{}\": {{}},", i);
+  text.back() = '}';
+  const auto errors = platformError(text + "}");
+  CHECK_THAT(errors, StartsWith("2:1: there is no basic skill `a0`\n3:1: "));
+  CHECK_THAT(errors, Catch::EndsWith("`a99`\n50 more errors are not shown"));
+}
+
 TEST_CASE("the kind of a platform file is checked at its place") {
-  CHECK(runtime::platformKind("{}") == "simulated");
-  CHECK(runtime::platformKind(R"({"kind": "library"})") == "library");
-  const auto kind = runtime::platformKind("{\n  \"kind\": \"robot\"}");
-  REQUIRE_FALSE(kind);
-  CHECK_THAT(kind.error().text(), StartsWith("2:11: `kind` must be `simulated`, "));
+  using runtime::PlatformFile;
+  using runtime::PlatformKind;
+  CHECK(PlatformFile::parse("{}").value().kind == PlatformKind::Simulated);
+  CHECK(PlatformFile::parse(R"({"kind": "library"})").value().kind == PlatformKind::Library);
+  const auto file = PlatformFile::parse("{\n  \"kind\": \"robot\"}");
+  REQUIRE_FALSE(file);
+  CHECK_THAT(textOf(file.error()), StartsWith("2:11: `kind` must be `simulated`, "));
 }
 
 TEST_CASE("the library of a platform file has its place") {
   const auto executable = test::executableOf(kProgram, false);
   runtime::LibrarySettings settings;
-  REQUIRE(readLibraryPlatform("{\"kind\": \"library\",\n \"library\": \"librobot.so\"}",
-                              executable->model, settings) == std::nullopt);
+  const auto file =
+      runtime::JsonFile::parse("{\"kind\": \"library\",\n \"library\": \"librobot.so\"}");
+  REQUIRE(textOf(readLibraryPlatform(file.value(), executable->model, settings)) == "");
   CHECK(settings.place.text() == "2:13");
 }
 
@@ -96,26 +164,25 @@ TEST_CASE(
 
 TEST_CASE("of members with the same key the kept one has a place, whatever the others are") {
   const std::string text = R"({"a": [1, 2], "a": {"b": {"c": 1}}, "a": {"b": [7]}})";
-  const auto file = runtime::Json::parse(text);
-  CHECK(runtime::placeOfPart(text, file, &file["a"]["b"][0]).text() == "1:49");
-  CHECK(runtime::placeOfPart(text, file, &text).text() == "1:1");
+  const auto file = runtime::JsonFile::parse(text).value();
+  CHECK(file.placeOf(&file.json()["a"]["b"][0]).text() == "1:49");
+  CHECK(file.placeOf(&text).text() == "1:1");
 }
 
-TEST_CASE("a deeply nested file is searched to its end") {
-  constexpr int kDepth = 100'000;
-  const auto text =
-      "{\"b\": 1, \"a\": " + std::string(kDepth, '[') + std::string(kDepth, ']') + "}";
-  const auto file = runtime::Json::parse(text);
-  CHECK(runtime::placeOfPart(text, file, &file["b"]).text() == "1:7");
-  CHECK(runtime::placeOfPart(text, file, &text).text() == "1:1");
+TEST_CASE("a large file takes time in proportion to its size") {
+  std::string text = "{\"actions\": {";
+  constexpr int kMembers = 200'000; // minutes, if each were searched among those before
+  for (int i = 0; i < kMembers; ++i) text += fmt::format("\"a{}\": {{}},", i);
+  text.back() = '}';
+  CHECK_THAT(platformError(text + "}"), Catch::EndsWith("\n199900 more errors are not shown"));
 }
 
-TEST_CASE("a file that is nested too deep is refused, not copied until the stack is full") {
+TEST_CASE("a file that is nested too deep is refused") {
   constexpr int kDepth = 200'000;
   const auto list = std::string(kDepth, '[') + std::string(kDepth, ']');
   const auto text = "{\"a\": " + list + ", \"b\": 1, \"c\": 2}";
   CHECK(runtime::parsedText(text).is_discarded());
-  CHECK(runtime::platformKind(text).error().text() == "1:1: it is nested too deep");
+  CHECK(textOf(runtime::PlatformFile::parse(text).error()) == "1:1: it is nested too deep");
   CHECK_FALSE(runtime::readMessage(text));
   CHECK(runtime::parsedText("{\"a\": \"\\\"" + list + "\"}").is_object());
 }

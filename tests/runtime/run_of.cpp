@@ -50,6 +50,8 @@ double seconds(runtime::Nanoseconds date) {
   return static_cast<double>(date) / static_cast<double>(runtime::kSecond);
 }
 
+runtime::JsonFile parsed(const std::string& text) { return runtime::JsonFile::parse(text).value(); }
+
 } // namespace
 
 std::string Ran::text() const {
@@ -103,8 +105,9 @@ Ran runOf(const runtime::Executable& executable, runtime::Platform& platform, ru
 Ran runOf(const runtime::Executable& executable, std::uint64_t seed, const std::string& script,
           const std::string& platform, double until) {
   auto settings = defaultSettings(executable);
-  if (!platform.empty()) CHECK(readPlatform(platform, executable.model, settings) == std::nullopt);
-  if (!script.empty()) CHECK(readScript(script, executable.model, settings) == std::nullopt);
+  if (!platform.empty())
+    CHECK(readSimulation(parsed(platform), executable.model, settings).empty());
+  if (!script.empty()) CHECK(readScript(parsed(script), executable.model, settings).empty());
   const auto simulated = simulatedPlatform(std::move(settings), seed + 1);
   return runOf(
       executable, *simulated,
