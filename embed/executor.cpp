@@ -23,25 +23,34 @@ Failure notExecutable(const analysis::Program& program, const runtime::NotExecut
 
 std::expected<std::unique_ptr<proskill_executor>, Failure>
 proskill_executor::make(const proskill_program& of, const proskill_options* given) {
-  const proskill_options usual = PROSKILL_OPTIONS;
-  const auto& options = given ? *given : usual;
-  const auto settings = settingsOf(options);
+  const auto options = embed::completed(given);
+  if (!options) return std::unexpected(options.error());
+  const auto settings = settingsOf(*options);
   if (!settings) return std::unexpected(settings.error());
-  auto executable = runtime::makeExecutable(
-      *of.program, options.main_skill ? options.main_skill : "", options.environment);
+  auto named = embed::NamedPlatform::read(*of.program, *options);
+  if (!named) return std::unexpected(std::move(named.error()));
+  if (*named)
+    if (auto done = (*named)->suits(settings->isReal, settings->speed); !done)
+      return std::unexpected(std::move(done.error()));
+  auto executable =
+      runtime::makeExecutable(*of.program, options->main_skill ? options->main_skill : "",
+                              options->environment || (*named && (*named)->needsEnvironment()));
   if (!executable) return std::unexpected(notExecutable(*of.program, executable.error()));
   return std::unique_ptr<proskill_executor>(
-      new proskill_executor(of.program, std::move(*executable), *settings));
+      new proskill_executor(of.program, std::move(*executable), *settings, std::move(*named)));
 }
 
 proskill_executor::proskill_executor(std::shared_ptr<const analysis::Program> of,
                                      std::unique_ptr<const runtime::Executable> made,
-                                     const Settings& with)
+                                     const Settings& with,
+                                     std::optional<embed::NamedPlatform> others)
     : program(std::move(of)),
       executable(std::move(made)),
       settings(with),
       clock(with.isReal ? runtime::realClock(with.speed) : runtime::simulatedClock()),
       platform(std::make_unique<embed::FunctionPlatform>(*executable, *clock, this)),
+      shared(*platform),
+      named(std::move(others)),
       entries(*program, *executable, this) {
   settings.run.stopRequests = &stopRequests;
 }
@@ -72,13 +81,29 @@ Done proskill_executor::observe(proskill_observer observer, void* data) {
 
 Done proskill_executor::start() {
   if (auto done = notStarted(); !done) return done;
-  if (const auto missing = platform->unperformed())
+  if (auto done = openPlatform(); !done) return done;
+  execution = std::make_unique<Execution>(*executable, *clock, shared, entries, settings.run);
+  execution->start();
+  hasStarted = true;
+  return {};
+}
+
+/// Makes sure that somebody performs each action.
+Done proskill_executor::openPlatform() {
+  const auto missing = platform->unperformed();
+  if (missing && !named)
     return failed(PROSKILL_MISSING_ACTION,
                   fmt::format("nobody performs the action of `{}`",
                               executable->model.performed[*missing].skill));
-  execution = std::make_unique<Execution>(*executable, *clock, *platform, entries, settings.run);
-  execution->start();
-  hasStarted = true;
+  if (!named) return {};
+  auto opened = named->open({.program = *program,
+                             .executable = *executable,
+                             .elsewhere = platform->performed(),
+                             .speed = settings.speed,
+                             .seed = settings.run.seed,
+                             .stopRequests = stopRequests});
+  if (!opened) return std::unexpected(std::move(opened.error()));
+  shared.add(std::move(*opened));
   return {};
 }
 

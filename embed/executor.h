@@ -2,6 +2,8 @@
 
 #include "embed/entries.h"
 #include "embed/function_platform.h"
+#include "embed/named_platform.h"
+#include "embed/shared_platform.h"
 #include "runtime/executor/execution.h"
 
 #include <atomic>
@@ -44,7 +46,7 @@ public:
   /// The text lives until the next call.
   [[nodiscard]] std::expected<const char*, Failure> value(std::string_view name);
   [[nodiscard]] const char* nameOfValue(std::size_t index) const;
-  [[nodiscard]] int descriptor() const { return platform->wakeUp.descriptor(); }
+  [[nodiscard]] int descriptor() const { return shared.descriptor(); }
 
   // For any thread
   /// Fails before the start of the run.
@@ -63,9 +65,11 @@ private:
   };
   proskill_executor(std::shared_ptr<const proskill::analysis::Program> program,
                     std::unique_ptr<const proskill::runtime::Executable> executable,
-                    const Settings& settings);
+                    const Settings& settings,
+                    std::optional<proskill::embed::NamedPlatform> platform);
   [[nodiscard]] static std::expected<Settings, Failure> settingsOf(const proskill_options& options);
   [[nodiscard]] Done notStarted() const;
+  Done openPlatform();
   bool doWhatIsDue();
   bool jump();
   void wait();
@@ -79,6 +83,8 @@ private:
   bool hasEnded = false;
   std::unique_ptr<proskill::runtime::Clock> clock;
   std::unique_ptr<proskill::embed::FunctionPlatform> platform;
+  proskill::embed::SharedPlatform shared;
+  std::optional<proskill::embed::NamedPlatform> named; ///< performs what no function performs
   proskill::embed::Entries entries;
   std::unique_ptr<proskill::runtime::Execution> execution; ///< null before the start
   std::string shown;                                       ///< the value that was asked for last

@@ -21,7 +21,7 @@ proskill_end endOf(runtime::End end) {
   case End::Stuck: return PROSKILL_STUCK;
   case End::NoTime: return PROSKILL_NO_TIME;
   case End::Failed: return PROSKILL_STEP_FAILED;
-  case End::Lost: return PROSKILL_ABANDONED;
+  case End::Lost: return PROSKILL_PLATFORM_LOST;
   }
   return PROSKILL_NOT_ENDED;
 }
@@ -30,8 +30,6 @@ proskill_end endOf(runtime::End end) {
 
 std::expected<proskill_executor::Settings, Failure>
 proskill_executor::settingsOf(const proskill_options& options) {
-  if (options.size < sizeof options)
-    return failed(PROSKILL_INVALID_ARGUMENT, "options must begin as PROSKILL_OPTIONS");
   if (options.clock != PROSKILL_REAL_TIME && options.clock != PROSKILL_SIMULATED_TIME)
     return failed(PROSKILL_INVALID_ARGUMENT,
                   "`clock` must be PROSKILL_REAL_TIME or PROSKILL_SIMULATED_TIME");

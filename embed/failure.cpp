@@ -4,7 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 
 namespace proskill::embed {
 
@@ -32,6 +35,17 @@ std::unexpected<Failure> unknownName(const std::string& what, std::string_view n
   if (const auto meant = syntax::nearest(name, names); !meant.empty())
     text += fmt::format("; did you mean `{}`?", meant);
   return failed(PROSKILL_UNKNOWN_NAME, std::move(text));
+}
+
+std::expected<proskill_options, Failure> completed(const proskill_options* given) {
+  constexpr auto kFirstVersion = offsetof(proskill_options, platform);
+  proskill_options options = PROSKILL_OPTIONS;
+  if (!given) return options;
+  if (given->size < kFirstVersion)
+    return failed(PROSKILL_INVALID_ARGUMENT, "options must begin as PROSKILL_OPTIONS");
+  options.no_platform = given->size < sizeof options;
+  std::memcpy(&options, given, std::min(given->size, sizeof options));
+  return options;
 }
 
 std::expected<runtime::Nanoseconds, Failure> timeOf(double seconds, std::string_view argument) {

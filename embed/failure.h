@@ -26,6 +26,11 @@ using Done = std::expected<void, Failure>;
 [[nodiscard]] std::unexpected<Failure> unknownName(const std::string& what, std::string_view name,
                                                    const std::vector<std::string>& names);
 
+/// The options with the members that the caller's version of them does not have. Its program names
+/// no platform for it.
+/// \param given null: the default
+[[nodiscard]] std::expected<proskill_options, Failure> completed(const proskill_options* given);
+
 /// A time in seconds, which must not be negative, and is at most some thirty years.
 [[nodiscard]] std::expected<runtime::Nanoseconds, Failure> timeOf(double seconds,
                                                                   std::string_view argument);

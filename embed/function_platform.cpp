@@ -30,6 +30,17 @@ std::optional<std::uint32_t> FunctionPlatform::unperformed() const {
   return static_cast<std::uint32_t>(found - performers.begin());
 }
 
+bool FunctionPlatform::performsAny() const {
+  return std::ranges::any_of(performers, [](const auto& each) { return each.begin != nullptr; });
+}
+
+std::vector<std::string> FunctionPlatform::performed() const {
+  std::vector<std::string> skills;
+  for (std::uint32_t i = 0; i < performers.size(); ++i)
+    if (performs(i)) skills.push_back(executable.model.performed[i].skill);
+  return skills;
+}
+
 // --- For any thread
 
 Done FunctionPlatform::finish(RunNumber run, const char* result, Nanoseconds delay) {

@@ -29,6 +29,12 @@ public:
                    proskill_executor* owner);
 
   void perform(std::uint32_t action, Functions functions) { performers[action] = functions; }
+  [[nodiscard]] bool performs(std::uint32_t action) const {
+    return performers[action].begin != nullptr;
+  }
+  [[nodiscard]] bool performsAny() const;
+  /// The skills whose actions it performs.
+  [[nodiscard]] std::vector<std::string> performed() const;
   /// The first basic skill without functions; nullopt: none.
   [[nodiscard]] std::optional<std::uint32_t> unperformed() const;
   runtime::WakeUp wakeUp; ///< rings when there is a report

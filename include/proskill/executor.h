@@ -32,7 +32,8 @@ typedef enum proskill_error {
   PROSKILL_MISSING_ACTION = 4,   /* nobody performs the action of a basic skill */
   PROSKILL_WRONG_ORDER = 5,      /* the call is not allowed now */
   PROSKILL_INVALID_ARGUMENT = 6, /* a null pointer, or a number out of range */
-  PROSKILL_SYSTEM_ERROR = 7      /* for example: no memory */
+  PROSKILL_SYSTEM_ERROR = 7,     /* for example: no memory */
+  PROSKILL_INVALID_PLATFORM = 8  /* the platform file has errors, or its platform does not start */
 } proskill_error;
 
 /* Why the last call of this thread failed. Valid until the next call that fails; "" before the
@@ -69,18 +70,22 @@ typedef struct proskill_options {
   uint64_t seed;          /* decides between steps that are possible at the same time */
   const char* main_skill; /* the mission; NULL: the skill that no other skill calls */
   bool environment;       /* the program's `defenvironment` causes the events, and not you */
+  const char* platform;   /* the file of a platform; NULL: the one that the program names */
+  bool no_platform;       /* only your functions perform actions, whatever the program names */
 } proskill_options;
 
 /* Initial value of options. */
 #define PROSKILL_OPTIONS                                                                           \
-  { sizeof(proskill_options), PROSKILL_REAL_TIME, 1, 0, 5, 0, NULL, false }
+  { sizeof(proskill_options), PROSKILL_REAL_TIME, 1, 0, 5, 0, NULL, false, NULL, false }
 
-/* \param options NULL: PROSKILL_OPTIONS */
+/* Reads the platform file, if there is one.
+   \param options NULL: PROSKILL_OPTIONS */
 proskill_error proskill_executor_new(const proskill_program* program,
                                      const proskill_options* options, proskill_executor** executor);
 
-/* Stops nothing: an action that still runs is on its own. No thread may use the executor any more.
-   Fails only within a function that the executor calls. */
+/* Stops nothing: an action of yours that still runs is on its own, and a platform's program is
+   killed. No thread may use the executor any more. Fails only within a function that the executor
+   calls. */
 proskill_error proskill_executor_free(proskill_executor* executor);
 
 /* Begins an action and returns soon; proskill_executor_finish ends it, in this function or later,
@@ -92,7 +97,8 @@ typedef void (*proskill_begin)(proskill_executor* executor, proskill_run run,
    ends. The action still has to be finished, usually with PROSKILL_STOPPED. */
 typedef void (*proskill_stop)(proskill_executor* executor, proskill_run run, void* data);
 
-/* Says who performs the action of a basic skill. Every basic skill needs this, before the start.
+/* Says who performs the action of a basic skill, before the start. Without a platform, every basic
+   skill needs this; otherwise the platform performs the actions of the others.
    \param stop NULL: the action goes on until it ends by itself */
 proskill_error proskill_executor_perform(proskill_executor* executor, const char* skill,
                                          proskill_begin begin, proskill_stop stop, void* data);
@@ -133,7 +139,8 @@ proskill_error proskill_executor_observe(proskill_executor* executor, proskill_o
 
 /* --- The run */
 
-/* Starts the clock of the run. Takes no step. */
+/* Starts the platform, if there is one, and waits until it is ready; then the clock of the run.
+   Takes no step. */
 proskill_error proskill_executor_start(proskill_executor* executor);
 
 /* Does what is due, and returns without waiting. In simulated time it first moves to what comes
@@ -169,7 +176,8 @@ typedef enum proskill_end {
   PROSKILL_ABANDONED = 4,     /* likewise, but an action did not stop in time */
   PROSKILL_STUCK = 5,         /* simulated time: nothing can happen any more */
   PROSKILL_NO_TIME = 6,       /* endless steps without time passing */
-  PROSKILL_STEP_FAILED = 7    /* a step cannot be computed, for example a division by zero */
+  PROSKILL_STEP_FAILED = 7,   /* a step cannot be computed, for example a division by zero */
+  PROSKILL_PLATFORM_LOST = 8  /* the platform has ended, and an action should have started */
 } proskill_end;
 proskill_end proskill_executor_end(const proskill_executor* executor);
 

@@ -2,6 +2,7 @@
 
 #include "runtime/platform/json.h"
 
+#include <algorithm>
 #include <charconv>
 
 namespace proskill::runtime {
@@ -83,16 +84,18 @@ const std::string& resultName(const codegen::Performed::Result& result) {
   return result.tag.empty() ? result.status : result.tag;
 }
 
-std::string helloMessage(const Executable& executable, double speed, const std::string& settings) {
+std::string helloMessage(const Executable& executable, const ProcessSettings& settings) {
   const auto& model = executable.model;
+  const auto& elsewhere = settings.elsewhere;
   Written hello{{"type", "hello"},
                 {"protocol", kProtocol},
                 {"mission", model.mainSkill},
-                {"speed", speed},
+                {"speed", settings.speed},
                 {"skills", Written::array()},
                 {"events", Written::array()},
                 {"interrupts", Written::array()}};
   for (const auto& performed : model.performed) {
+    if (std::ranges::find(elsewhere, performed.skill) != elsewhere.end()) continue;
     Written skill{{"name", performed.skill}, {"results", Written::array()}};
     for (const auto& result : performed.results)
       skill["results"].push_back({{"name", resultName(result)}, {"status", result.status}});
@@ -100,7 +103,7 @@ std::string helloMessage(const Executable& executable, double speed, const std::
   }
   for (const auto& signal : model.signals)
     hello[signal.interrupts ? "interrupts" : "events"].push_back(signal.name);
-  if (!settings.empty()) hello["settings"] = Written::parse(settings);
+  if (!settings.settings.empty()) hello["settings"] = Written::parse(settings.settings);
   return lineOf(hello);
 }
 

@@ -2,6 +2,7 @@
 
 #include "runtime/platform/json.h"
 #include "runtime/platform/platform.h"
+#include "runtime/platform/process.h"
 
 #include <expected>
 #include <string>
@@ -15,10 +16,8 @@ inline constexpr int kProtocol = 1;
 
 // Messages of the executor, each with its line end.
 
-/// \param speed of the clock: 1 is real time
-/// \param settings JSON for a program that proskill brings along; empty: none
-[[nodiscard]] std::string helloMessage(const Executable& executable, double speed,
-                                       const std::string& settings);
+[[nodiscard]] std::string helloMessage(const Executable& executable,
+                                       const ProcessSettings& settings);
 [[nodiscard]] std::string startMessage(const Executable& executable, const Start& start,
                                        Nanoseconds date);
 /// The arguments of a started action, as a list. Those that the model does not contain are null.

@@ -58,7 +58,7 @@ public:
     watch.add(child->descriptor());
     lines.clear();
     waitsToSend = false;
-    outgoing = helloMessage(executable, settings.speed, settings.settings);
+    outgoing = helloMessage(executable, settings);
     state = State::Starting;
     setTimer(settings.startup);
     send();

@@ -18,6 +18,7 @@ struct ProcessSettings {
   unsigned restarts = 0;              ///< how often it is restarted after it has ended
   Nanoseconds restartDelay = kSecond; ///< time before each restart
   double speed = 1;                   ///< of the run's clock
+  std::vector<std::string> elsewhere; ///< skills whose actions somebody else performs
   std::string settings;               ///< JSON for `hello`; empty: none
   /// Its name in messages.
   std::string name = "the platform's program";

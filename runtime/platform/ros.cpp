@@ -77,7 +77,9 @@ public:
       : program(of), interface(with), ros(kind), errors(by) {}
 
   /// \return the mapping in terms of the adapter: positions of arguments, names of events
-  Json platform(const Json& file, const std::string& library) {
+  /// \param elsewhere skills that need no action in the file
+  Json platform(const Json& file, const std::string& library,
+                const std::vector<std::string>& elsewhere) {
     std::vector<std::string> known{"kind",    "$schema",   "node",         "patience",
                                    "actions", "variables", "events",       "python",
                                    "startup", "restarts",  "restart_delay"};
@@ -85,7 +87,7 @@ public:
     allowMembers(file, known, "the platform", errors);
     Json made{{"node", errors.attempt([&] { return nodeOf(file); })},
               {"patience", errors.attempt([&] { return patienceOf(file); })},
-              {"actions", errors.attempt([&] { return actions(file); })},
+              {"actions", errors.attempt([&] { return actions(file, elsewhere); })},
               {"sensors", rosSensors(program, file, ros, errors)}};
     if (ros == Ros::Two) addRos2(made, file, library, errors);
     return made;
@@ -97,16 +99,18 @@ private:
     return file.contains("patience") ? inSeconds(file["patience"], "patience") : kUsual;
   }
 
-  Json actions(const Json& file) {
+  Json actions(const Json& file, const std::vector<std::string>& elsewhere) {
     const auto& given = objectAt(file, "actions");
     Json made = Json::object();
     for (const auto& [skill, value] : given)
       errors.attempt(
           [&] { made[skill] = rosAction(program, performedNamed(skill), value, ros, errors); });
     for (const auto& performed : interface.performed)
-      if (!given.contains(performed.skill))
+      if (!given.contains(performed.skill) &&
+          std::ranges::find(elsewhere, performed.skill) == elsewhere.end())
         errors.note({.why = "the platform file has no action for `" + performed.skill + "`",
                      .skill = performed.skill});
+    for (const auto& skill : elsewhere) made.erase(skill);
     return made;
   }
 
@@ -131,7 +135,8 @@ FileErrors readRosPlatform(const JsonFile& from, Ros ros, const analysis::Progra
                            const codegen::PlatformInterface& interface, ProcessSettings& settings,
                            const std::string& library) {
   return from.read([&](const Json& file, Errors& errors) {
-    auto mapping = RosReader(program, interface, ros, errors).platform(file, library);
+    auto mapping =
+        RosReader(program, interface, ros, errors).platform(file, library, settings.elsewhere);
     readLife(file, settings, errors);
     mapping["startup"] = static_cast<double>(settings.startup) / static_cast<double>(kSecond);
     settings.settings = mapping.dump();

@@ -6,12 +6,31 @@
 
 namespace proskill::test {
 
+namespace {
+
+std::string withoutFolder(std::string text, const TemporaryDirectory& folder) {
+  for (auto at = text.find(folder.path()); at != text.npos; at = text.find(folder.path()))
+    text.erase(at, folder.path().size() + 1);
+  return text;
+}
+
+} // namespace
+
 Embedded::Embedded(const std::string& text, proskill_options options) {
   const auto file = files.write("mission.proskill", text);
   INFO(proskill_error_text());
   REQUIRE(proskill_program_load(file.c_str(), &program) == PROSKILL_OK);
   REQUIRE(proskill_executor_new(program, &options, &executor) == PROSKILL_OK);
   REQUIRE(proskill_executor_observe(executor, observe, this) == PROSKILL_OK);
+}
+
+Embedded::Embedded(const std::string& text, const std::string& platform,
+                   const proskill_options* options) {
+  files.write("robot.json", platform);
+  REQUIRE(proskill_program_load(files.write("mission.proskill", text).c_str(), &program) ==
+          PROSKILL_OK);
+  made = proskill_executor_new(program, options, &executor);
+  if (executor) REQUIRE(proskill_executor_observe(executor, observe, this) == PROSKILL_OK);
 }
 
 Embedded::~Embedded() {
@@ -40,6 +59,8 @@ std::string Embedded::value(const char* name) const {
                                                                        : proskill_error_text();
 }
 
+std::string Embedded::error() const { return withoutFolder(proskill_error_text(), files); }
+
 void Embedded::begin(proskill_executor* in, proskill_run run, const proskill_value*, size_t,
                      void* data) {
   const auto& action = *static_cast<const Scripted*>(data);
@@ -62,10 +83,7 @@ std::string loadError(const std::string& text, proskill_error code) {
   proskill_program* program = nullptr;
   CHECK(proskill_program_load(file.c_str(), &program) == code);
   CHECK(program == nullptr);
-  std::string why = proskill_error_text();
-  for (auto at = why.find(files.path()); at != why.npos; at = why.find(files.path()))
-    why.erase(at, files.path().size() + 1);
-  return why;
+  return withoutFolder(proskill_error_text(), files);
 }
 
 } // namespace proskill::test

@@ -21,6 +21,8 @@ class Embedded {
 public:
   /// In simulated time.
   explicit Embedded(const std::string& text, proskill_options options = simulated());
+  /// With the file `robot.json` beside the program. The executor may be refused.
+  Embedded(const std::string& text, const std::string& platform, const proskill_options* options);
   ~Embedded();
   Embedded(const Embedded&) = delete;
   Embedded& operator=(const Embedded&) = delete;
@@ -33,9 +35,13 @@ public:
   /// What has happened, each as `2.5 fly: succeeds with `there``.
   [[nodiscard]] const std::string& text() const { return happened; }
   [[nodiscard]] std::string value(const char* name) const;
+  /// The text of the last error, without the directory of the program.
+  [[nodiscard]] std::string error() const;
+  [[nodiscard]] std::string path(const std::string& name) const { return files.path(name); }
 
   proskill_program* program = nullptr;
   proskill_executor* executor = nullptr;
+  proskill_error made = PROSKILL_OK; ///< whether the executor was refused
 
 private:
   static void begin(proskill_executor*, proskill_run, const proskill_value*, size_t, void*);

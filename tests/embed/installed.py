@@ -65,6 +65,40 @@ int main(int, char** words) {
 }
 """
 
+MISSION = """
+(defplatform "robot/robot.json")
+(defskill look :action (look) :success seen)
+(defskill drive :action (drive "dock") :success there)
+(defskill mission :success done :body ((look) (drive) (success done)))
+"""
+ROBOT = r"""
+#include <proskill/platform.h>
+#include <string.h>
+
+PROSKILL_LIBRARY;
+
+PROSKILL_EXPORT const char *skill_drive(proskill_run run, const proskill_value *arguments, size_t count) {
+  proskill_wait(run, 0.01);
+  return count == 1 && !strcmp(arguments[0].string, "dock") ? "there" : "elsewhere";
+}
+"""
+LOOKS = r"""
+#include <proskill/executor.hpp>
+#include <iostream>
+
+int main(int, char** words) {
+  try {
+    const proskill::Program program(words[1]);
+    proskill::Executor executor(program);
+    executor.perform("look", [](proskill::Start start, proskill::Arguments) { start.finish("seen"); });
+    executor.run();
+    std::cout << executor.outcome() << " with " << executor.faults() << " faults\n";
+  } catch (const proskill::Error& error) {
+    std::cout << error.code() << ": " << error.what() << '\n';
+  }
+}
+"""
+
 
 def run(*command, **options):
     return subprocess.run(list(map(str, command)), capture_output=True, text=True, timeout=120, **options)
@@ -179,6 +213,28 @@ class Installed(unittest.TestCase):
             "run: the run has ended",
             "event: there is no event `pushed`",
             "failure 1"])
+
+    def test_a_library_performs_what_no_function_performs(self):
+        robot = self.home / "robot"
+        robot.mkdir()
+        mission = self.home / "mission.proskill"
+        mission.write_text(MISSION)
+        (robot / "robot.c").write_text(ROBOT)
+        (robot / "robot.json").write_text('{"kind": "library",\n "library": "librobot.so"}')
+        source = self.home / "looks.cpp"
+        source.write_text(LOOKS)
+        program, environment = self.compile("c++", "-std=c++11", source)
+        self.assertEqual(succeed(program, mission, env=environment),
+                         f"8: {robot}/robot.json:2:13: error: there is no file `librobot.so`\n")
+        succeed("cc", "-shared", "-fPIC", f"-I{self.prefix}/include", robot / "robot.c", "-o", robot / "librobot.so")
+        self.assertEqual(succeed(program, mission, env=environment), "success with 0 faults\n")
+        # a library without its program
+        alone = self.home / "alone"
+        alone.mkdir()
+        shutil.copy(self.library, alone)
+        self.assertEqual(succeed(program, mission, env={"LD_LIBRARY_PATH": str(alone)}),
+                         f"8: {robot}/robot.json:2:13: error: the program `proskill`, which loads libraries, is not found beside "
+                         "libproskill.so or on the PATH\n")
 
     def test_the_library_exports_what_the_header_declares(self):
         header = (self.prefix / "include/proskill/executor.h").read_text()
