@@ -3,7 +3,7 @@
 
 #include "bench/measure.h"
 #include "bench/runtime.h"
-#include "cli/execution/recorder.h"
+#include "record/recorder.h"
 #include "report/run/run_report.h"
 #include "tests/support/run.h"
 #include "tests/support/texts.h"
@@ -212,8 +212,8 @@ std::string percent(double part) { return fmt::format("{:.3f} %", 100 * part); }
 /// The same with a recording to a file, as `--record` writes it.
 double recordedPart(const analysis::Program& program, const runtime::Executable& executable) {
   const test::TemporaryDirectory directory;
-  cli::Recorder recorder(std::move(*disk::GrowingFile::create(directory.path("run.mcap"))),
-                         cli::RunTime::Real);
+  record::Recorder recorder(std::move(*disk::GrowingFile::create(directory.path("run.mcap"))),
+                            record::RunTime::Real);
   const auto recording = report::runMcap({[&](std::string_view bytes, std::string_view end) {
                                             std::ignore = recorder.add(bytes, end);
                                           },

@@ -34,6 +34,9 @@ struct VerifyReport {
                                        ShowTraces traces = ShowTraces::All);
 [[nodiscard]] OrderedJson locationJson(const analysis::Program& program,
                                        analysis::Location location);
+/// Seconds as an exact string and as a number.
+[[nodiscard]] OrderedJson secondsJson(syntax::Rational value);
+[[nodiscard]] OrderedJson momentJson(const ide::Moment& moment);
 [[nodiscard]] OrderedJson stepJson(const analysis::Program& program, const ide::TraceStep& step);
 [[nodiscard]] OrderedJson traceJson(const analysis::Program& program, const ide::Trace& trace);
 [[nodiscard]] OrderedJson explorationJson(const verify::Exploration& exploration);

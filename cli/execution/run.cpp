@@ -258,7 +258,6 @@ private:
 
   int runOn(runtime::Platform& platform, runtime::Clock& clock, std::optional<double> factor,
             LiveView* shown = nullptr) {
-    std::optional<Recorder> recorder; // declared before its users, to outlive them
     Observers observers(factor.has_value());
     const report::RunSubject subject{program, *executable};
     const bool colour = wantsColour(arguments.colour, STDOUT_FILENO);
@@ -266,7 +265,8 @@ private:
                       ? report::runJson(std::cout, subject)
                       : report::runText(std::cout, subject, colour));
     if (const auto file = fileToRecord(); !file.empty())
-      addRecording(recorder, file, subject, factor ? RunTime::Real : RunTime::Simulated, observers);
+      addRecording(file, subject, factor ? record::RunTime::Real : record::RunTime::Simulated,
+                   observers);
     if (shown) observers.add(shown->observer());
     if (monitor) observers.add(monitor->observer());
     runtime::RunOptions options{.seed = arguments.seed,
@@ -278,8 +278,7 @@ private:
       options.until = executable->mission == verify::kNone ? 60 * runtime::kSecond
                                                            : 24 * 3600 * runtime::kSecond;
     const auto result = execute(*executable, clock, platform, observers, options);
-    observers.clear(); // what they add at their end is still recorded
-    if (recorder) warnOfRecording(recorder->finish());
+    observers.clear(); // completes the recording
     if (arguments.format == RunFormat::Json)
       report::writeRunSummaryJson(std::cout, subject, result);
     else
@@ -315,26 +314,19 @@ private:
     return file.value_or("");
   }
 
-  void addRecording(std::optional<Recorder>& recorder, const std::string& file,
-                    report::RunSubject subject, RunTime time, Observers& observers) {
+  void addRecording(const std::string& file, report::RunSubject subject, record::RunTime time,
+                    Observers& observers) {
     auto format = recordingFormat(file, subject);
     if (!format) throw Failed{fail(format.error())};
     auto created = disk::GrowingFile::create(file);
     if (!created && !arguments.record.empty()) throw Failed{fail(created.error())};
-    if (!created) return warnOfRecording(created.error());
-    recorder.emplace(std::move(*created), time);
-    const auto add = [this, &recorder](std::string_view bytes, std::string_view end) {
-      warnOfRecording(recorder->add(bytes, end));
-    };
-    const auto replace = [this, &recorder](std::uint64_t at, std::string_view bytes) {
-      warnOfRecording(recorder->replace(at, bytes));
-    };
-    observers.add((*format)({add, replace}, startOfRun(time)));
+    if (!created) return warnOfRecording(created.error() + "; the recording ends here");
+    observers.add(std::make_unique<record::RunRecording>(
+        std::move(*created), time, *format, [this](const auto& why) { warnOfRecording(why); }));
   }
 
-  void warnOfRecording(const std::optional<std::string>& wrong) {
-    if (!wrong) return;
-    std::cerr << "warning: " << *wrong << "; the recording ends here\n";
+  void warnOfRecording(const std::string& why) {
+    std::cerr << "warning: " << why << '\n';
     lacksRecording = !arguments.record.empty();
   }
 

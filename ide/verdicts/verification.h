@@ -53,6 +53,9 @@ struct StepName {
 
 [[nodiscard]] StepName nameOf(const verify::Step& step, const fiacre::Provenance& provenance);
 
+/// The place of an origin in the program, if it has one.
+[[nodiscard]] std::optional<analysis::Location> locate(const fiacre::Origin& origin);
+
 /// A step in the program's terms, without dates.
 [[nodiscard]] TraceStep inWords(verify::Step step, const fiacre::Provenance& provenance);
 

@@ -4,18 +4,16 @@
 #include "report/run/run_lines.h"
 #include "runtime/executor/description.h"
 
-#include <ostream>
-
 namespace proskill::report {
 
 using runtime::Nanoseconds;
 using runtime::RemarkKind;
 
-namespace {
-
 syntax::Rational secondsOf(Nanoseconds date) {
   return ide::seconds(date, 1, {1, runtime::kSecond});
 }
+
+namespace {
 
 void setDates(ide::TraceStep& step, Nanoseconds date, Nanoseconds before) {
   step.date = secondsOf(date);
@@ -23,28 +21,6 @@ void setDates(ide::TraceStep& step, Nanoseconds date, Nanoseconds before) {
   step.earliest = {.seconds = step.date};
   step.latest = step.earliest;
 }
-
-class RunJson final : public runtime::Observer {
-public:
-  RunJson(std::ostream& to, RunSubject of) : out(to), lines(of) {}
-
-  void onStep(const runtime::Machine& machine, verify::TransitionId step, Nanoseconds date,
-              Nanoseconds lag) override {
-    write(R"({"kind":"step",)", lines.step(machine, step, date, lag));
-  }
-
-  void onRemark(const runtime::Remark& remark) override {
-    write(R"({"kind":"remark",)", lines.remark(remark));
-  }
-
-private:
-  void write(std::string_view begin, std::string_view object) {
-    out << begin << object.substr(1) << '\n';
-  }
-
-  std::ostream& out;
-  RunLines lines;
-};
 
 class Recording final : public runtime::Observer {
 public:
@@ -141,48 +117,8 @@ std::string_view toString(RemarkKind kind) {
   return "";
 }
 
-std::unique_ptr<runtime::Observer> runJson(std::ostream& out, RunSubject subject) {
-  return std::make_unique<RunJson>(out, subject);
-}
-
 std::unique_ptr<runtime::Observer> runRecording(AddToRecording add, RunSubject subject) {
   return std::make_unique<Recording>(std::move(add), subject);
-}
-
-OrderedJson runPropertiesJson(RunSubject subject,
-                              const std::vector<runtime::PropertyMonitors::Decision>& verdicts) {
-  using runtime::Verdict;
-  OrderedJson list = OrderedJson::array();
-  for (std::size_t i = 0; i < subject.executable.properties.size(); ++i) {
-    const auto& of = subject.executable.properties[i];
-    const auto& check = subject.executable.model.checks[of.check];
-    const auto step =
-        ide::inWords({.origins = {check.origin}}, subject.executable.model.provenance);
-    const auto verdict = i < verdicts.size() ? verdicts[i].verdict : Verdict::NotYet;
-    const auto why = whyNotMonitored(of);
-    list.push_back({{"name", check.name},
-                    {"description", check.description},
-                    {"location",
-                     step.location ? locationJson(subject.program, *step.location) : OrderedJson()},
-                    {"verdict", toString(verdict)},
-                    {"date", verdict == Verdict::NotYet
-                                 ? OrderedJson()
-                                 : OrderedJson(syntax::toString(secondsOf(verdicts[i].date)))},
-                    {"whyNot", why.empty() ? OrderedJson() : OrderedJson(why)}});
-  }
-  return list;
-}
-
-void writeRunSummaryJson(std::ostream& out, RunSubject subject, const runtime::RunResult& result) {
-  OrderedJson json{{"kind", "end"},
-                   {"why", toWords(result.end)},
-                   {"date", syntax::toString(secondsOf(result.date))},
-                   {"steps", result.steps},
-                   {"bad", result.bad},
-                   {"mission", result.missionStatus},
-                   {"properties", runPropertiesJson(subject, result.verdicts)}};
-  if (!result.failure.empty()) json["failure"] = result.failure;
-  out << dumped(json) << '\n';
 }
 
 } // namespace proskill::report

@@ -11,6 +11,7 @@ namespace proskill::report {
 /// A remark in the form of a step.
 [[nodiscard]] ide::TraceStep runStep(RunSubject subject, const runtime::Remark& remark,
                                      runtime::Nanoseconds before);
+[[nodiscard]] syntax::Rational secondsOf(runtime::Nanoseconds date);
 /// In one line; invalid UTF-8 is replaced.
 [[nodiscard]] std::string dumped(const OrderedJson& json);
 /// `undershoot`

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-namespace proskill::cli {
+namespace proskill::record {
 
 /// Which time a run takes.
 enum class RunTime : std::uint8_t { Real, Simulated };
@@ -92,4 +92,4 @@ private:
   std::thread thread;
 };
 
-} // namespace proskill::cli
+} // namespace proskill::record

@@ -1,4 +1,4 @@
-#include "cli/execution/recorder.h"
+#include "record/recorder.h"
 #include "tests/support/run.h"
 
 #include <catch2/catch.hpp>
@@ -12,8 +12,8 @@
 #include <unistd.h>
 
 using namespace proskill;
-using cli::Recorder;
-using cli::RunTime;
+using record::Recorder;
+using record::RunTime;
 
 namespace {
 

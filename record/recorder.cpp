@@ -1,10 +1,10 @@
-#include "cli/execution/recorder.h"
+#include "record/recorder.h"
 
 #include <algorithm>
 #include <poll.h>
 #include <utility>
 
-namespace proskill::cli {
+namespace proskill::record {
 
 namespace {
 
@@ -152,4 +152,4 @@ void Recorder::sync() {
   lastSync = steady_clock::now();
 }
 
-} // namespace proskill::cli
+} // namespace proskill::record
