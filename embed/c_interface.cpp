@@ -90,6 +90,13 @@ proskill_error proskill_executor_observe(proskill_executor* executor, proskill_o
   return exclusive(executor, [&] { return executor->observe(observer, data); });
 }
 
+proskill_error proskill_executor_record(proskill_executor* executor, const char* file) {
+  return exclusive(executor, [&]() -> Done {
+    if (!file) return isNull("file");
+    return executor->record(file);
+  });
+}
+
 proskill_error proskill_executor_start(proskill_executor* executor) {
   return exclusive(executor, [&] { return executor->start(); });
 }
@@ -133,6 +140,10 @@ uint64_t proskill_executor_steps(const proskill_executor* executor) {
 
 uint64_t proskill_executor_faults(const proskill_executor* executor) {
   return executor ? executor->faults() : 0;
+}
+
+const char* proskill_executor_recording_error(const proskill_executor* executor) {
+  return executor ? executor->recordingError().c_str() : "";
 }
 
 proskill_error proskill_executor_value(proskill_executor* executor, const char* name,

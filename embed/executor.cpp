@@ -79,13 +79,47 @@ Done proskill_executor::observe(proskill_observer observer, void* data) {
   return {};
 }
 
+proskill_executor::~proskill_executor() {
+  entries.observe(nullptr, nullptr); // the end of a recording concerns nobody any more
+}
+
+Done proskill_executor::record(const char* path) {
+  if (auto done = notStarted(); !done) return done;
+  if (file)
+    return failed(PROSKILL_WRONG_ORDER, fmt::format("the run is recorded in `{}`", recordedIn));
+  recordedIn = path;
+  if (recordedIn.ends_with(".btlog"))
+    return failed(PROSKILL_INVALID_ARGUMENT, "only `proskill run` writes .btlog files");
+  auto created = disk::GrowingFile::create(recordedIn);
+  if (!created) return failed(PROSKILL_UNWRITABLE, std::move(created.error()));
+  file.emplace(std::move(*created));
+  return {};
+}
+
 Done proskill_executor::start() {
   if (auto done = notStarted(); !done) return done;
   if (auto done = openPlatform(); !done) return done;
-  execution = std::make_unique<Execution>(*executable, *clock, shared, entries, settings.run);
+  execution = std::make_unique<Execution>(*executable, *clock, shared, audience, settings.run);
+  beginRecording();
   execution->start();
   hasStarted = true;
   return {};
+}
+
+void proskill_executor::beginRecording() {
+  if (!file) return;
+  recording = std::make_unique<record::RunRecording>(
+      std::move(*file), settings.isReal ? record::RunTime::Real : record::RunTime::Simulated,
+      record::formatOf(recordedIn, {*program, *executable}), [this](const std::string& why) {
+        lacking = why;
+        entries.onRemark({.kind = runtime::RemarkKind::Note, .date = date(), .text = why});
+      });
+  audience.add(*recording);
+}
+
+void proskill_executor::endRun() {
+  hasEnded = true;
+  if (recording) recording->finish();
 }
 
 /// Makes sure that somebody performs each action.
@@ -128,7 +162,7 @@ bool proskill_executor::doWhatIsDue() {
   auto progress = execution->proceed();
   if (progress == Progress::Waits) return false;
   while (progress == Progress::Moved && !entries.hasTrouble()) progress = execution->proceed();
-  hasEnded = progress == Progress::Ended;
+  if (progress == Progress::Ended) endRun();
   return true;
 }
 

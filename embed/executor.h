@@ -1,9 +1,11 @@
 #pragma once
 
+#include "embed/audience.h"
 #include "embed/entries.h"
 #include "embed/function_platform.h"
 #include "embed/named_platform.h"
 #include "embed/shared_platform.h"
+#include "record/run_recording.h"
 #include "runtime/executor/execution.h"
 
 #include <atomic>
@@ -22,9 +24,12 @@ public:
   make(const proskill_program& program, const proskill_options* options);
   proskill_executor(const proskill_executor&) = delete;
   proskill_executor& operator=(const proskill_executor&) = delete;
+  ~proskill_executor();
 
   Done perform(const char* skill, proskill::embed::Functions functions);
   Done observe(proskill_observer observer, void* data);
+  /// \param file of a new recording
+  Done record(const char* file);
   Done start();
   /// Does what is due. \pre `exclusively`
   Done proceed();
@@ -41,6 +46,8 @@ public:
   /// Seconds until the run should proceed; negative: when the descriptor is readable.
   [[nodiscard]] double timeout();
   [[nodiscard]] Nanoseconds date() const { return execution ? execution->now() : 0; }
+  /// Why the recording ended early; empty if it did not.
+  [[nodiscard]] const std::string& recordingError() const { return lacking; }
   [[nodiscard]] std::uint64_t steps() const;
   [[nodiscard]] std::uint64_t faults() const;
   /// The text lives until the next call.
@@ -70,6 +77,8 @@ private:
   [[nodiscard]] static std::expected<Settings, Failure> settingsOf(const proskill_options& options);
   [[nodiscard]] Done notStarted() const;
   Done openPlatform();
+  void beginRecording();
+  void endRun();
   bool doWhatIsDue();
   bool jump();
   void wait();
@@ -86,6 +95,11 @@ private:
   proskill::embed::SharedPlatform shared;
   std::optional<proskill::embed::NamedPlatform> named; ///< performs what no function performs
   proskill::embed::Entries entries;
+  std::string recordedIn;                          ///< the name of the file
+  std::optional<proskill::disk::GrowingFile> file; ///< of the recording, before the start
+  std::string lacking;
+  std::unique_ptr<proskill::record::RunRecording> recording; ///< may be null
+  proskill::embed::Audience audience{entries};
   std::unique_ptr<proskill::runtime::Execution> execution; ///< null before the start
   std::string shown;                                       ///< the value that was asked for last
 };

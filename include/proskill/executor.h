@@ -33,7 +33,8 @@ typedef enum proskill_error {
   PROSKILL_WRONG_ORDER = 5,      /* the call is not allowed now */
   PROSKILL_INVALID_ARGUMENT = 6, /* a null pointer, or a number out of range */
   PROSKILL_SYSTEM_ERROR = 7,     /* for example: no memory */
-  PROSKILL_INVALID_PLATFORM = 8  /* the platform file has errors, or its platform does not start */
+  PROSKILL_INVALID_PLATFORM = 8, /* the platform file has errors, or its platform does not start */
+  PROSKILL_UNWRITABLE = 9        /* a file cannot be written */
 } proskill_error;
 
 /* Why the last call of this thread failed. Valid until the next call that fails; "" before the
@@ -136,6 +137,16 @@ typedef void (*proskill_observer)(proskill_executor* executor, const proskill_en
 /* Has a function called for everything that happens. Before the start. */
 proskill_error proskill_executor_observe(proskill_executor* executor, proskill_observer observer,
                                          void* data);
+
+/* Records the run in a file, as `proskill run --record` does: in MCAP if its name ends in `.mcap`,
+   or else as a trace in JSON. An earlier file is replaced when the run starts. Before the start. In
+   real time no step waits for the disk; the file is complete when the run has ended or the executor
+   is freed, and can be read before. */
+proskill_error proskill_executor_record(proskill_executor* executor, const char* file);
+
+/* Why the recording has ended before the run, for example because the disk is full; "" if it has
+   not. The run goes on, and the observer gets a note. Valid as long as the executor. */
+const char* proskill_executor_recording_error(const proskill_executor* executor);
 
 /* --- The run */
 

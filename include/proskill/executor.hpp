@@ -125,6 +125,11 @@ public:
     check(proskill_executor_observe(get(), reportEntry, this));
   }
 
+  /* Records the run in a file, in MCAP if its name ends in `.mcap`. */
+  void record(const std::string& file) { check(proskill_executor_record(get(), file.c_str())); }
+  /* Why the recording has ended before the run; empty if it has not. */
+  std::string recordingError() const { return proskill_executor_recording_error(get()); }
+
   void start() { check(proskill_executor_start(get())); }
   void proceed() { finished(proskill_executor_proceed(get())); }
   void run() { finished(proskill_executor_run(get())); }

@@ -98,6 +98,30 @@ int main(int, char** words) {
   }
 }
 """
+RECORDS = r"""
+#include <proskill/executor.hpp>
+#include <iostream>
+
+/* MISSION RECORDING [real] */
+int main(int count, char** words) {
+  const proskill::Program program(words[1]);
+  auto options = proskill::defaultOptions();
+  options.seed = 5;
+  if (count == 3) options.clock = PROSKILL_SIMULATED_TIME;
+  proskill::Executor executor(program, options);
+  executor.record(words[2]);
+  executor.observe([](const proskill_entry& entry) { std::cout << entry.subject << ' ' << entry.text << std::endl; });
+  executor.run();
+  std::cout << executor.outcome() << ':' << executor.recordingError() << '\n';
+}
+"""
+FLIES = """
+(defplatform "sky.json")
+(defsv sky :states (Clear Stormy) :init Clear :transitions :all)
+(defevent storm :effects (sky Stormy))
+(defskill fly :action (fly) :time_interval [0,9] :success there :failure lost)
+(defskill mission :success done :body (MANY (success done)))
+"""
 
 
 def run(*command, **options):
@@ -235,6 +259,35 @@ class Installed(unittest.TestCase):
         self.assertEqual(succeed(program, mission, env={"LD_LIBRARY_PATH": str(alone)}),
                          f"8: {robot}/robot.json:2:13: error: the program `proskill`, which loads libraries, is not found beside "
                          "libproskill.so or on the PATH\n")
+
+    def recorder(self, flights):
+        """A program that records, and a mission of so many flights."""
+        (self.home / "sky.json").write_text('{"actions": {"fly": {"duration": [0.001, 0.003]}}, "events": {"storm": [0.001, 0.01]}}')
+        mission = self.home / "flights.proskill"
+        mission.write_text(FLIES.replace("MANY", flights))
+        source = self.home / "records.cpp"
+        source.write_text(RECORDS)
+        return *self.compile("c++", "-std=c++11", source), mission
+
+    def test_a_recording_is_that_of_the_program(self):
+        program, environment, mission = self.recorder("(fly) " * 300)
+        mine, its = self.home / "mine.mcap", self.home / "its.mcap"
+        out = succeed(program, mission, mine, env=environment)
+        self.assertTrue(out.endswith("success:\n"), out[-200:])
+        succeed(self.prefix / "bin/proskill", "run", "--seed", 5, "--record", its, mission)
+        self.assertEqual(mine.read_bytes(), its.read_bytes())
+
+    def test_a_run_that_is_killed_leaves_a_recording(self):
+        program, environment, mission = self.recorder("(while true (fly))")
+        recording = self.home / "killed.mcap"
+        process = subprocess.Popen([program, mission, recording, "real"], stdout=subprocess.PIPE, text=True, env=environment)
+        self.addCleanup(process.stdout.close)
+        for _, _ in zip(range(200), process.stdout):
+            pass
+        process.kill()
+        process.wait()
+        told = succeed(self.prefix / "bin/proskill", "conform", recording, mission)
+        self.assertRegex(told, r"the run conforms to the model: \d\d+ steps")
 
     def test_the_library_exports_what_the_header_declares(self):
         header = (self.prefix / "include/proskill/executor.h").read_text()
