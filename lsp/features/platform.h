@@ -15,6 +15,11 @@ namespace proskill::lsp {
                                        const std::filesystem::path& file,
                                        const ClientFeatures& client);
 
+/// What is wrong with an open platform file, in it, for the open programs that name it.
+[[nodiscard]] Json platformFileDiagnostics(const ide::Snapshot& snapshot,
+                                           const std::filesystem::path& file, std::string_view text,
+                                           const ClientFeatures& client);
+
 /// Who performs the actions, if the place is in the path of a platform file that can be read.
 [[nodiscard]] std::optional<ide::Hover> platformHover(const ide::Snapshot& snapshot,
                                                       const ide::View& view, syntax::Offset at);

@@ -72,6 +72,8 @@ ClientFeatures readClientFeatures(const Json& capabilities, const Json& name) {
       isTrue(capabilities, {"textDocument", "diagnostic", "relatedInformation"});
   client.watchedFiles =
       isTrue(capabilities, {"workspace", "didChangeWatchedFiles", "dynamicRegistration"});
+  client.dynamicTexts =
+      isTrue(capabilities, {"textDocument", "synchronization", "dynamicRegistration"});
   client.workDoneProgress = isTrue(capabilities, {"window", "workDoneProgress"});
   const auto& item = rpc::memberAt(capabilities, {"textDocument", "completion", "completionItem"});
   client.snippets = isTrue(item, {"snippetSupport"});

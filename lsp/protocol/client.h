@@ -23,6 +23,7 @@ struct ClientFeatures {
   bool pullDiagnostics = false; ///< pulls diagnostics; otherwise they are pushed
   bool relatedInformation = false;
   bool watchedFiles = false; ///< may be registered dynamically
+  bool dynamicTexts = false; ///< sends open texts of kinds that are registered dynamically
   bool workDoneProgress = false;
   bool snippets = false;
   bool insertTextModes = false; ///< of snippets that say how their lines are indented

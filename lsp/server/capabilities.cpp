@@ -16,6 +16,20 @@ Json watchers() {
   return result;
 }
 
+/// Open platform files. Only their texts are registered, so that other features remain those of the
+/// editor's server for JSON.
+void addPlatformTexts(Json& registrations) {
+  Json files = Json::array();
+  for (const char* language : {"json", "jsonc"})
+    files.push_back({{"language", language}, {"pattern", "**/{platform,*.platform}.json"}});
+  const Json options{{"documentSelector", files}};
+  registrations.push_back(registration("textDocument/didOpen", options));
+  registrations.push_back(
+      registration("textDocument/didChange", {{"documentSelector", files},
+                                              {"syncKind", protocol::TextDocumentSyncKind::Full}}));
+  registrations.push_back(registration("textDocument/didClose", options));
+}
+
 /// ProSkill cells in notebooks of any kind.
 Json notebookSync() {
   const Json cells = Json::array({{{"language", "proskill"}}});
@@ -45,6 +59,7 @@ Json registrationsFor(const ClientFeatures& client) {
   if (client.dynamicConfiguration)
     registrations.push_back(
         registration("workspace/didChangeConfiguration", {{"section", "proskill"}}));
+  if (client.dynamicTexts) addPlatformTexts(registrations);
   return registrations;
 }
 

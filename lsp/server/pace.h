@@ -1,12 +1,27 @@
 #pragma once
 
-#include "lsp/server/thread_clock.h"
-
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <ctime>
 
 namespace proskill::lsp {
+
+/// Processor time of the calling thread. Unlike the time that passes, it does not grow while a busy
+/// machine runs others.
+struct ThreadClock {
+  using duration = std::chrono::nanoseconds;
+  using rep = duration::rep;
+  using period = duration::period;
+  using time_point = std::chrono::time_point<ThreadClock>;
+  static constexpr bool is_steady = true;
+
+  [[nodiscard]] static time_point now() noexcept {
+    timespec used{};
+    (void)clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+    return time_point(std::chrono::seconds(used.tv_sec) + std::chrono::nanoseconds(used.tv_nsec));
+  }
+};
 
 /// The cost of the last round of diagnostics. If it was very low, the next round need not wait for
 /// a pause in typing. A round that an edit cancelled does not count as quick. Costs are processor

@@ -90,7 +90,7 @@ int Server::run() {
 
 std::optional<Server::Time> Server::nextDeadline() const {
   std::optional<Time> first;
-  for (const auto& due : {publisher.due(), refresher.due(), parent.due()})
+  for (const auto& due : {publisher.due(), platforms.due(), refresher.due(), parent.due()})
     if (due && (!first || *due < *first)) first = due;
   return first;
 }
@@ -101,6 +101,9 @@ void Server::onDeadline() {
     publisher.publish(workspace.snapshot(), settings->diagnostics);
     mistakes.publish(workspace.mistakes());
   }
+  if (platforms.due() && *platforms.due() <= now)
+    platforms.publish(workspace.snapshot(),
+                      settings->diagnostics ? workspace.dataTexts() : DataTexts());
   if (refresher.due() && *refresher.due() <= now) refresher.refresh(*workspace.snapshot());
 }
 

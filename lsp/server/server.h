@@ -4,6 +4,7 @@
 #include "lsp/server/announcer.h"
 #include "lsp/server/client_folders.h"
 #include "lsp/server/parent_watch.h"
+#include "lsp/server/platform_publisher.h"
 #include "lsp/server/publisher.h"
 #include "lsp/server/refresher.h"
 #include "lsp/server/server_log.h"
@@ -76,6 +77,7 @@ private:
   // server_texts.cpp
   void gatherEdits(rpc::Message& edit);
   void handleText(rpc::Received& received);
+  void handleData(const rpc::Message& message);
   void handleNotebook(const rpc::Received& received);
   void textsChanged(const std::vector<Path>& texts, std::shared_ptr<const ide::Snapshot> before);
   void textsChanged();
@@ -90,6 +92,7 @@ private:
   void changeFolders(const Json& params);
   void foldersRead();
   void handleWatchedFiles(const Json& params);
+  void filesChanged(const std::vector<Path>& paths, const ide::Snapshot& before);
 
   [[nodiscard]] Json status(const ide::Snapshot& snapshot) const;
 
@@ -115,6 +118,7 @@ private:
   std::atomic<int> forgotten{0}; ///< number of old texts and programs that wait for destruction
   Verification verification;
   Publisher publisher;
+  PlatformPublisher platforms{peer, scheduler, client};
   Refresher refresher{peer, client};
   ClientFolders folders{{workspace, peer, client, inbox, scheduler, [this] { foldersRead(); }}};
   // The last members, because their threads use all of the above.

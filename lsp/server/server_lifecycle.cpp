@@ -96,12 +96,17 @@ void Server::handleWatchedFiles(const Json& params) {
   std::erase_if(paths, [this](const auto& path) { return !workspace.dependsOn(path); });
   if (paths.empty()) return;
   folders.filesChanged(paths);
+  filesChanged(paths, *before);
+}
+
+/// What programs read has changed: files on the disk, or the open texts of platform files.
+void Server::filesChanged(const std::vector<Path>& paths, const ide::Snapshot& before) {
   textsChanged();
   for (const auto& path : paths) {
-    const auto file = before->nameOf(path);
-    if (before->open().contains(file)) continue;
+    const auto file = before.nameOf(path);
+    if (before.open().contains(file)) continue;
     refresher.findingsChanged(debounce());
-    refresher.changed(file, *before, debounce());
+    refresher.changed(file, before, debounce());
   }
 }
 

@@ -50,6 +50,8 @@ void Server::gatherEdits(rpc::Message& edit) {
 void Server::handleText(rpc::Received& received) {
   rpc::Message& message = received.message;
   if (isEdit(message)) gatherEdits(message);
+  if (const auto path = documentPath(message.params); path && Workspace::isData(*path))
+    return handleData(message);
   Workspace::Outcome outcome;
   auto before = workspace.snapshot();
   if (message.method == "textDocument/didOpen")
@@ -69,6 +71,23 @@ void Server::handleText(rpc::Received& received) {
   if (auto path = documentPath(message.params); path && message.method != "textDocument/didSave")
     texts.push_back(*path);
   textsChanged(texts, std::move(before));
+}
+
+/// An open platform file is read in place of the one on the disk.
+void Server::handleData(const rpc::Message& message) {
+  const auto before = workspace.snapshot();
+  Workspace::Outcome outcome;
+  if (message.method == "textDocument/didOpen")
+    outcome = workspace.openData(message.params);
+  else if (message.method == "textDocument/didChange")
+    outcome = workspace.changeData(message.params);
+  else if (message.method == "textDocument/didClose")
+    outcome = workspace.closeData(message.params);
+  else
+    return; // what was saved is what was edited
+  if (!outcome) return announcer.show(Announcer::Kind::Error, outcome.error());
+  platforms.changed(debounce());
+  filesChanged({*outcome}, *before);
 }
 
 void Server::handleNotebook(const rpc::Received& received) {
@@ -117,6 +136,7 @@ void Server::refuseStale(const std::string& uri, std::uint64_t order) {
 
 void Server::changed() {
   if (!client.pullDiagnostics) publisher.changed(debounce());
+  if (!workspace.dataTexts().empty()) platforms.changed(debounce());
 }
 
 /// Texts changed other than by editing.

@@ -51,9 +51,20 @@ std::expected<std::string, std::string> FileCache::read(const std::filesystem::p
   auto identity = disk->canonical(path).native();
   {
     const std::lock_guard lock(mutex);
+    const auto found = edited.find(identity);
     dataFiles.insert(std::move(identity));
+    if (found != edited.end()) return found->second;
   }
   return disk->read(path);
+}
+
+void FileCache::replaceData(const std::filesystem::path& path, std::optional<std::string> text) {
+  const auto identity = disk->canonical(path).native();
+  const std::lock_guard lock(mutex);
+  if (text)
+    edited.insert_or_assign(identity, std::move(*text));
+  else
+    edited.erase(identity);
 }
 
 bool FileCache::wasRead(const std::filesystem::path& path) const {

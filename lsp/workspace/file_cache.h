@@ -53,6 +53,8 @@ public:
   [[nodiscard]] std::filesystem::path canonical(const std::filesystem::path& path) const override;
   [[nodiscard]] std::expected<syntax::Document, std::string>
   document(const std::filesystem::path& path) const override;
+  /// Reads a text instead of a file that holds data, until it is null: the text that is edited.
+  void replaceData(const std::filesystem::path& path, std::optional<std::string> text);
   /// Whether the file at this path was ever read as data, such as a platform file, or would have
   /// been if it had existed: answers may depend on it.
   [[nodiscard]] bool wasRead(const std::filesystem::path& path) const;
@@ -75,7 +77,8 @@ private:
   mutable std::mutex mutex;
   mutable ide::LruCache<Entry> entries;
   mutable std::unordered_map<std::string, Followed> followed;
-  mutable std::unordered_set<std::string> dataFiles; ///< canonical names of what was read
+  std::unordered_map<std::string, std::string> edited; ///< data, by canonical name
+  mutable std::unordered_set<std::string> dataFiles;   ///< canonical names of what was read
 };
 
 } // namespace proskill::lsp

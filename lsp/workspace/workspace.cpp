@@ -33,9 +33,6 @@ bool isProgramFile(const fs::path& path) {
   return path.extension() == ".proskill" || ide::isFiacre(path);
 }
 
-/// Whether a file is read by those who need it, and not as a program.
-bool isData(const fs::path& path) { return path.extension() == ".json"; }
-
 /// Whether the file itself is a symbolic link; its directories do not count.
 bool isLink(const analysis::FileSystem& disk, const ide::KnownFile& file) {
   return disk.canonical(file.name.parent_path()) / file.name.filename() != file.canonical;

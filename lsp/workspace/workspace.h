@@ -19,6 +19,14 @@ struct FolderContents {
   std::vector<ide::KnownFile> files;
 };
 
+/// An open text that programs read as data, such as a platform file.
+struct DataText {
+  std::string uri;
+  std::int64_t version = 0;
+  std::string text;
+};
+using DataTexts = std::map<std::filesystem::path, DataText>;
+
 /// The texts that the client has open and the files of its folders. The main thread changes them
 /// and takes snapshots.
 class Workspace {
@@ -39,6 +47,14 @@ public:
   Outcome close(const Json& params);
   /// A text was saved. This matters only for programs that include the file from disk.
   Outcome saved(const Json& params);
+
+  /// Whether a file is read as data by those who need it, and not as a program.
+  [[nodiscard]] static bool isData(const std::filesystem::path& path);
+  /// A data file is opened, changed or closed in the client. Changes replace the whole text.
+  Outcome openData(const Json& params);
+  Outcome changeData(const Json& params);
+  Outcome closeData(const Json& params);
+  [[nodiscard]] const DataTexts& dataTexts() const { return data; }
 
   /// Combines the cells of a notebook to one program, in this order.
   /// \return whether the program has changed
@@ -74,6 +90,7 @@ private:
   [[nodiscard]] std::string identityOf(const Path& path) const;
   [[nodiscard]] std::optional<ide::KnownFile> onDisk(const Path& path);
   void noteText(const Path& path);
+  Outcome setData(const Path& path, DataText text);
   void drop(const Path& path);
   [[nodiscard]] std::optional<Path> otherTextOf(std::string_view canonical) const;
   void refresh();
@@ -84,6 +101,7 @@ private:
   syntax::Encoding encoding = syntax::Encoding::Utf16;
   bool style = false;
   ide::OpenTexts texts;
+  DataTexts data;
   /// The canonical name of each text's file. A text that was opened while its file was open by
   /// another name is separate until the other one is closed.
   std::map<Path, std::string> identities;

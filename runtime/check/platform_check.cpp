@@ -101,13 +101,14 @@ std::vector<PlatformFinding> findingsOf(const analysis::Program& program, bool i
   if (!text)
     return {
         {syntax::makeDiagnostic(Code::UnreadablePlatform, named.at, named.written, text.error()),
-         named.file}};
+         named.file, text.error()}};
   const auto [errors, silentEvents] = checkFor(program, isSound, *text);
   std::vector<PlatformFinding> found;
   for (const auto& error : errors)
-    found.push_back({diagnosticOf(error, program, named), named.file, error.place});
+    found.push_back({diagnosticOf(error, program, named), named.file, error.why, error.place});
   for (const auto& name : silentEvents)
-    found.push_back({silenceOf(name, program, named), named.file});
+    found.push_back(
+        {silenceOf(name, program, named), named.file, "it never reports the event `" + name + "`"});
   return found;
 }
 

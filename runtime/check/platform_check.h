@@ -32,6 +32,7 @@ struct PlatformCheck {
 struct PlatformFinding {
   syntax::Diagnostic diagnostic; ///< at the path in the program
   std::filesystem::path file;
+  std::string why;                  ///< for readers of that file
   std::optional<FilePlace> place{}; ///< in that file
 };
 

@@ -1,4 +1,5 @@
 #include "disk/disk.h"
+#include "lsp/server/capabilities.h"
 #include "tests/lsp/support/session.h"
 #include "tests/support/run.h"
 
@@ -90,6 +91,98 @@ TEST_CASE("diagnostics follow a platform file on the disk") {
   CHECK(found[0]["code"] == "PS1402");
   robot.write("{}");
   CHECK(robot.published().empty());
+}
+
+namespace {
+
+const std::string kOpenUri = "file:///w/robot.json";
+
+void openPlatform(NamedRobot& robot, const std::string& text) {
+  robot.session.notify(
+      "textDocument/didOpen",
+      {{"textDocument",
+        {{"uri", kOpenUri}, {"languageId", "json"}, {"version", 1}, {"text", text}}}});
+}
+
+void editPlatform(NamedRobot& robot, int version, const Json& change) {
+  robot.session.notify("textDocument/didChange",
+                       {{"textDocument", {{"uri", kOpenUri}, {"version", version}}},
+                        {"contentChanges", Json::array({change})}});
+}
+
+/// The next diagnostics of the program and of the platform file, in whichever order they come.
+struct Both {
+  Json program;
+  Json platform;
+};
+
+Both publishedBoth(NamedRobot& robot) {
+  Both both;
+  for (int i = 0; i < 2; ++i) {
+    auto news = robot.session.notified("textDocument/publishDiagnostics");
+    (news["uri"] == kOpenUri ? both.platform : both.program) = std::move(news["diagnostics"]);
+  }
+  return both;
+}
+
+} // namespace
+
+TEST_CASE("diagnostics follow an open platform file while it is edited, in it, too") {
+  NamedRobot robot("{}");
+  CHECK(robot.published().empty());
+  openPlatform(robot, "{\"actions\": {\"é\": {},\n \"flie\": {}}}");
+  auto both = publishedBoth(robot);
+  REQUIRE(both.program.size() == 2);
+  CHECK(both.program[1]["message"] == "`robot.json`:2:2: there is no basic skill `flie`");
+  REQUIRE(both.platform.size() == 2);
+  CHECK(both.platform[0]["range"] == test::rangeOf(0, 13, 13));
+  CHECK(both.platform[1]["range"] == test::rangeOf(1, 1, 1));
+  CHECK(both.platform[1]["message"] == "there is no basic skill `flie`");
+  CHECK(both.platform[1]["code"] == "PS1402");
+  CHECK(both.platform[1]["severity"] == 1);
+  editPlatform(robot, 2, {{"text", "{,}"}});
+  both = publishedBoth(robot);
+  CHECK(both.platform[0]["message"] == "it is not JSON");
+  CHECK(both.program[0]["message"] == "`robot.json`:1:2: it is not JSON");
+  editPlatform(robot, 3, {{"text", "{}"}});
+  both = publishedBoth(robot);
+  CHECK(both.platform == Json::array());
+  CHECK(both.program == Json::array());
+}
+
+TEST_CASE("a platform file that is closed is that of the disk") {
+  NamedRobot robot("{}");
+  CHECK(robot.published().empty());
+  openPlatform(robot, "[]");
+  CHECK(publishedBoth(robot).platform.size() == 1);
+  robot.session.notify("textDocument/didClose", {{"textDocument", {{"uri", kOpenUri}}}});
+  const auto both = publishedBoth(robot);
+  CHECK(both.platform == Json::array());
+  CHECK(both.program == Json::array());
+}
+
+TEST_CASE("an edit of a part of a platform file, which was not asked for, ends its editing") {
+  NamedRobot robot("{}");
+  CHECK(robot.published().empty());
+  openPlatform(robot, "[]");
+  CHECK(publishedBoth(robot).program.size() == 1);
+  editPlatform(robot, 2, {{"range", test::rangeOf(0, 0, 1)}, {"text", "{"}});
+  CHECK(publishedBoth(robot).program == Json::array());
+}
+
+TEST_CASE("the texts of platform files are registered alone, as a whole") {
+  const Json sync{{"dynamicRegistration", true}};
+  const auto client = lsp::readClientFeatures({{"textDocument", {{"synchronization", sync}}}});
+  const auto asked = lsp::registrationsFor(client);
+  std::vector<std::string> methods;
+  for (const auto& each : asked) {
+    methods.push_back(each["method"]);
+    CHECK(each["registerOptions"]["documentSelector"][0]["pattern"] ==
+          "**/{platform,*.platform}.json");
+  }
+  CHECK(methods == std::vector<std::string>{"textDocument/didOpen", "textDocument/didChange",
+                                            "textDocument/didClose"});
+  CHECK(asked[1]["registerOptions"]["syncKind"] == 1);
 }
 
 TEST_CASE("diagnostics that are pulled have the platform's, too") {
