@@ -6,6 +6,12 @@
 
 namespace proskill::lsp {
 
+namespace {
+
+constexpr const char* kPlatformMethod = "textDocument/publishDiagnostics";
+
+} // namespace
+
 void PlatformPublisher::changed(std::chrono::milliseconds debounce) {
   ++revision;
   dueAt = std::chrono::steady_clock::now() + debounce;
@@ -26,7 +32,7 @@ void PlatformPublisher::retract(const DataTexts& texts) {
   std::erase_if(told, [&](const std::string& uri) {
     const auto has = [&](const auto& entry) { return entry.second.uri == uri; };
     if (std::ranges::any_of(texts, has)) return false;
-    peer.notify("textDocument/publishDiagnostics", {{"uri", uri}, {"diagnostics", Json::array()}});
+    peer.notify(kPlatformMethod, {{"uri", uri}, {"diagnostics", Json::array()}});
     return true;
   });
 }
@@ -35,17 +41,25 @@ void PlatformPublisher::compute(const ide::Snapshot& snapshot, const DataTexts& 
                                 std::uint64_t asked) {
   for (const auto& [path, data] : texts) {
     if (asked != revision) return;
-    auto found = platformFileDiagnostics(snapshot, path, data.text, client);
-    const std::lock_guard lock(mutex);
-    if (asked != revision) return;
-    if (found.empty() && !told.contains(data.uri)) continue;
-    if (found.empty())
-      told.erase(data.uri);
-    else
-      told.insert(data.uri);
-    peer.notify("textDocument/publishDiagnostics",
-                {{"uri", data.uri}, {"version", data.version}, {"diagnostics", std::move(found)}});
+    try {
+      send(data, platformFileDiagnostics(snapshot, path, data.text, client), asked);
+    } catch (const std::exception& error) {
+      onFailure(data.uri, error.what());
+    }
   }
+}
+
+void PlatformPublisher::send(const DataText& text, Json found, std::uint64_t asked) {
+  const std::lock_guard lock(mutex);
+  if (asked != revision) return;
+  const bool hadAny = told.contains(text.uri);
+  if (found.empty() && !hadAny) return;
+  if (found.empty())
+    told.erase(text.uri);
+  else
+    told.insert(text.uri);
+  peer.notify(kPlatformMethod,
+              {{"uri", text.uri}, {"version", text.version}, {"diagnostics", std::move(found)}});
 }
 
 } // namespace proskill::lsp

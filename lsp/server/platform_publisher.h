@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -22,9 +23,13 @@ public:
   using Time = std::chrono::steady_clock::time_point;
   using Snapshot = std::shared_ptr<const ide::Snapshot>;
 
+  /// Takes the URI of a file whose diagnostics have failed, and the error; from any thread.
+  using OnFailure = std::function<void(const std::string& uri, std::string_view error)>;
+
   /// The arguments outlive the publisher's tasks.
-  PlatformPublisher(rpc::Peer& peer, rpc::Scheduler& scheduler, const ClientFeatures& client)
-      : peer(peer), scheduler(scheduler), client(client) {}
+  PlatformPublisher(rpc::Peer& peer, rpc::Scheduler& scheduler, const ClientFeatures& client,
+                    OnFailure onFailure)
+      : peer(peer), scheduler(scheduler), client(client), onFailure(std::move(onFailure)) {}
 
   // Main thread only:
   /// Programs or platform files have changed; publish after `debounce`.
@@ -37,10 +42,12 @@ public:
 private:
   void retract(const DataTexts& texts);
   void compute(const ide::Snapshot& snapshot, const DataTexts& texts, std::uint64_t asked);
+  void send(const DataText& text, Json found, std::uint64_t asked);
 
   rpc::Peer& peer;
   rpc::Scheduler& scheduler;
   const ClientFeatures& client;
+  OnFailure onFailure;
   std::optional<Time> dueAt;
   std::atomic<std::uint64_t> revision{0};
   std::mutex mutex; ///< for what follows, and held between reading the revision and sending

@@ -118,7 +118,10 @@ private:
   std::atomic<int> forgotten{0}; ///< number of old texts and programs that wait for destruction
   Verification verification;
   Publisher publisher;
-  PlatformPublisher platforms{peer, scheduler, client};
+  PlatformPublisher platforms{
+      peer, scheduler, client, [this](const std::string& uri, std::string_view error) {
+        log.writeFailure("textDocument/publishDiagnostics", {{"uri", uri}}, error);
+      }};
   Refresher refresher{peer, client};
   ClientFolders folders{{workspace, peer, client, inbox, scheduler, [this] { foldersRead(); }}};
   // The last members, because their threads use all of the above.
