@@ -82,6 +82,19 @@ void measureSimulation() {
              "without " + duration(plain), recorded / plain});
   table.add({"", duration((recorded - plain) / static_cast<double>(few)) + " a step",
              fmt::format("{} bytes a step", bytes / few), 0});
+  std::size_t mcapBytes = 0;
+  const double inMcap = medianSeconds(
+      [&] {
+        mcapBytes = 0;
+        const auto recording = report::runMcap(
+            {[&](std::string_view added, std::string_view) { mcapBytes += added.size(); },
+             [](std::uint64_t, std::string_view) {}},
+            {endlessProgram, *endless}, 0);
+        keep(simulate(*endless, *recording, kHour).steps);
+      },
+      3);
+  table.add({"the same in MCAP", duration((inMcap - plain) / static_cast<double>(few)) + " a step",
+             fmt::format("{} bytes a step", mcapBytes / few), inMcap / plain});
   const auto before = residentKiB();
   keep(simulate(*endless, deaf, 10 * kDay).steps);
   table.add({"memory, grown in 240 h", fmt::format("{} kB", residentKiB() - before), "", 0});

@@ -3,6 +3,8 @@
 #include "report/run/mcap_records.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 
 namespace proskill::report::mcap {
 
@@ -12,8 +14,9 @@ constexpr std::uint64_t kPage = 4096;
 
 /// Little-endian.
 template <class Number> void addNumber(std::string& to, Number number) {
-  for (std::size_t i = 0; i < sizeof number; ++i)
-    to += static_cast<char>(static_cast<std::uint64_t>(number) >> (8 * i) & 0xff);
+  auto bytes = std::bit_cast<std::array<char, sizeof number>>(number);
+  if constexpr (std::endian::native == std::endian::big) std::ranges::reverse(bytes);
+  to.append(bytes.data(), bytes.size());
 }
 
 void addText(std::string& to, std::string_view text) {
