@@ -128,4 +128,19 @@ TEST_CASE("a deadlock is searched for in parts that one location of a process ca
   CHECK(model.sliced("deadlockfree") == 1);
 }
 
+TEST_CASE("a variable matters to the steps that only end the relevant part of a process") {
+  // Y may leave l only while c is true; nobody asks whether it does, but c is true for an instant
+  const Text model(
+      "process X (&c: bool, &v: bool) is states a, b, done, over from a wait [1,1]; c := true; to "
+      "b "
+      "from b wait [0,0]; on c; v := true; to done from done wait [0,0]; c := false; to over "
+      "process Y (&c: bool, &w: bool) is states l, m, k "
+      "from l select wait [0,0]; on c; to m [] wait [3,3]; w := true; to k end " +
+      walker("P", "1,2") + walker("Q", "1,3") + walker("R", "2,3") +
+      "component main is var c: bool := false, v: bool := false, w: bool := false "
+      "par * in X(&c, &v) || Y(&c, &w) || P || Q || R end");
+  CHECK(model.sliced("absent (main/value w and main/value v)") == 1);
+  CHECK(model.reaches("main/value w and main/value v"));
+}
+
 } // namespace proskill::test::slices_test

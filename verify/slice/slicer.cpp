@@ -235,6 +235,19 @@ void Slicer::needInstants(Cone& cone) const {
 
 // --- The slice
 
+/// The cells whose values are, in a state of the slice, those of the whole wherever the transition
+/// may be possible. If only one instance reads a cell, the slice omits what is written after it has
+/// read it for the last time; so others would read an old value.
+Bits Slicer::currentFor(TransitionId id, const Cone& cone) const {
+  Bits current = cone.shared;
+  current |= facts.transitions[id].ownLocations;
+  for (auto part : base.transitions[id].parts)
+    cone.cells.each([&](CellId cell) {
+      if (cone.reader[cell] == base.paths[part].instance) current.insert(cell);
+    });
+  return current;
+}
+
 /// The conjunction of those parts that read nothing else.
 NodeId Slicer::guardWithin(const std::vector<ConjunctId>& guard, const Bits& known,
                            Nodes& nodes) const {
@@ -263,8 +276,7 @@ Slice Slicer::slice(const SliceSeeds& seeds) {
     const auto isKept = [&](PathId part) { return cone.kept.contains(part); };
     if (!std::ranges::all_of(transition.parts, isKept)) continue;
     const auto& guard = facts.transitions[id].guard;
-    Bits known = cone.cells;
-    known |= facts.transitions[id].ownLocations;
+    const Bits known = currentFor(id, cone);
     const auto isExact = [&](ConjunctId conjunct) {
       return facts.conjuncts[conjunct].whole.cells.isWithin(known) || isInstant(conjunct);
     };

@@ -86,6 +86,7 @@ private:
   void needInstants(Cone& cone) const;
   static void need(const Bits& cells, InstanceId reader, Cone& cone);
   [[nodiscard]] bool isLoose(TransitionId id, const Cone& cone) const;
+  [[nodiscard]] Bits currentFor(TransitionId id, const Cone& cone) const;
   [[nodiscard]] bool writesWhatMatters(PathId id, const Cone& cone) const;
   [[nodiscard]] NodeId guardWithin(const std::vector<ConjunctId>& guard, const Bits& known,
                                    Nodes& nodes) const;

@@ -16,9 +16,11 @@ public:
       if (!slice.late.contains(static_cast<std::uint32_t>(i))) planned.insert(slice.original[i]);
   }
 
-  /// Takes the step at its date, after the steps that time waits for.
+  /// Takes the step at its date, after the steps that time or the step itself waits for.
   bool take(TransitionId step, std::int64_t at) {
-    while (const auto due = nextDue(at)) {
+    while (at != date || !now.since.contains(step)) {
+      const auto due = nextDue(at);
+      if (!due) break;
       if (planned.contains(due->step) || !takeAt(due->step, due->date)) return false;
     }
     return takeAt(step, at);
