@@ -6,6 +6,7 @@
 #include "verify/compile/watch.h"
 #include "verify/model/clocks.h"
 #include "verify/model/path_events.h"
+#include "verify/model/path_summary.h"
 #include "verify/model/value_bounds.h"
 #include "verify/unsupported.h"
 
@@ -29,30 +30,6 @@ void requireSound(const fiacre::Interval& interval, fiacre::OriginId origin) {
   if (interval.lower < 0 || empty) unsupported("an empty interval", origin);
   if (std::max(interval.lower, interval.upper.value_or(0)) > kLargest)
     unsupported("a bound of time beyond 10^8 units", origin);
-}
-
-/// Collects what the code of a path reads and writes, and whether it may fail.
-void summarise(const System& system, Path& path) {
-  addReads(system, path.guard, path.guardReads);
-  path.guardReads.insert(system.instances[path.instance].location);
-  path.mayFail = mayFail(system, path.guard);
-  const auto reads = [&](NodeId node) {
-    addReads(system, node, path.reads);
-    path.mayFail = path.mayFail || mayFail(system, node);
-  };
-  for (std::size_t i = 0; i < path.code.size(); ++i) {
-    const auto& instruction = path.code[i];
-    if (instruction.kind == InstructionKind::On || instruction.kind == InstructionKind::JumpUnless)
-      reads(instruction.node);
-    if (instruction.kind == InstructionKind::Fail) path.mayFail = true;
-    if (instruction.kind == InstructionKind::Jump && instruction.last <= i) path.mayFail = true;
-  }
-  for (const auto& assignment : path.assignments) {
-    reads(assignment.value);
-    path.writes.insert(assignment.target);
-    path.mayFail = path.mayFail || assignment.checked;
-  }
-  if (path.tentative) path.guardReads |= path.reads;
 }
 
 /// By port: the condition of its probe, if it has one.
@@ -116,7 +93,7 @@ private:
       addErrors(all);
       for (auto& path : all) {
         if (path.wait) requireSound(*path.wait, path.origin);
-        summarise(system, path);
+        summarisePath(system, path);
         system.paths.push_back(std::move(path));
       }
     }
@@ -331,7 +308,7 @@ private:
       const auto bounds = valueBounds(system, assignment.value);
       assignment.checked = assignment.checked || bounds.low < cell.low || bounds.high > cell.high;
     }
-    summarise(system, path);
+    summarisePath(system, path);
     system.paths.push_back(std::move(path));
     return static_cast<PathId>(system.paths.size() - 1);
   }
