@@ -18,7 +18,7 @@ import time
 SECONDS = 10  # limit of a run that is to end
 TIMES = (0.1, 0.3, 1)  # small limits, in seconds
 SIZES = (16, 24, 64)  # and in MiB
-REDUCTIONS = ("dead-variables", "live-variables", "free-inputs", "private-moves", "stubborn-sets", "slices",
+REDUCTIONS = ("dead-variables", "live-variables", "free-inputs", "private-moves", "stubborn-sets", "slices", "refinement",
               "inclusion", "extrapolation")
 
 

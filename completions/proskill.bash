@@ -31,7 +31,7 @@ _proskill_values() {
     'verify --graph-of') echo 'classes markings untimed' ;;
     'verify --color') echo 'auto always never' ;;
     'verify --backend') echo 'engine tina both' ;;
-    'verify --reduce') echo 'all none dead-variables live-variables free-inputs private-moves stubborn-sets slices inclusion extrapolation' ;;
+    'verify --reduce') echo 'all none dead-variables live-variables free-inputs private-moves stubborn-sets slices refinement inclusion extrapolation' ;;
     'verify --runs') echo 'fair all' ;;
     'verify --sv-automata') echo 'exact paper' ;;
   esac

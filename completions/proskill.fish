@@ -168,7 +168,7 @@ complete -c proskill -n '__fish_seen_subcommand_from verify' -l difference -d 'b
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l cache -d 'Keep verdicts in this directory, and use those that are kept there' -x -a '(__fish_complete_directories)'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l jobs -d 'Threads for a long search (default: one for each processor, at most 8); results do not depend on their number' -x
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l mpi -d 'Share a long search with the other processes that `mpirun` has started'
-complete -c proskill -n '__fish_seen_subcommand_from verify' -l reduce -d 'Reductions of the state space, separated by commas; verdicts do not depend on them' -x -a 'all none dead-variables live-variables free-inputs private-moves stubborn-sets slices inclusion extrapolation'
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l reduce -d 'Reductions of the state space, separated by commas; verdicts do not depend on them' -x -a 'all none dead-variables live-variables free-inputs private-moves stubborn-sets slices refinement inclusion extrapolation'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l runs -d 'Which infinite runs count for your properties that do not say :fair. fair: time goes on, and actions without a time limit end; all: every run, as in Tina (default fair)' -x -a 'fair all'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l expanded -d 'Verify the expanded model, with one state per step of a skill'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l sv-automata -d 'exact: detect every forbidden move of a state variable; paper: poll, as the paper does (default exact)' -x -a 'exact paper'

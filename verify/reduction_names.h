@@ -22,6 +22,7 @@ inline constexpr std::array kReductionNames{
     ReductionName{Reduction::PrivateMoves, "private-moves", ""},
     ReductionName{Reduction::StubbornSets, "stubborn-sets", "safe-steps"},
     ReductionName{Reduction::Slices, "slices", ""},
+    ReductionName{Reduction::Refinement, "refinement", ""},
     ReductionName{Reduction::Inclusion, "inclusion", ""},
     ReductionName{Reduction::Extrapolation, "extrapolation", ""},
 };

@@ -70,7 +70,7 @@ std::optional<Unsupported> Verification::exploreStates(std::vector<std::size_t> 
 /// slices and led searches answer what they can, and the search starts again with the remaining
 /// questions, which is less work.
 std::optional<Unsupported> Verification::explore(std::vector<std::size_t> which) {
-  if (which.empty() || !usesSlices()) return exploreWhole(which, {});
+  if (which.empty() || !usesParts()) return exploreWhole(which, {});
   bool isResumed = checkpoint && checkpoint->earlier();
   if (!isResumed) {
     std::erase_if(which, [&](std::size_t i) { return isAnsweredPlainly(i); });
@@ -96,11 +96,13 @@ std::optional<Unsupported> Verification::explore(std::vector<std::size_t> which)
 }
 
 bool Verification::answersAny(const Stage& stage, const std::vector<std::size_t>& which) {
-  const bool bySlices = !slicesAreDone && exploreSlices(which, stage.slices);
+  const bool bySlices =
+      !slicesAreDone && stage.slices.classes > 0 && exploreSlices(which, stage.slices);
+  const bool isRefined = refine(which, stage.refined);
   const bool isLed = exploreLed(which, stage.led, stage.ledEach);
   const bool byWalks = exploreByWalks(which, stage.walks);
   if (byWalks) exploreLed(which, stage.led, stage.ledEach); // fewer are left, so each gets more
-  return bySlices || isLed || byWalks;
+  return bySlices || isRefined || isLed || byWalks;
 }
 
 std::optional<Unsupported> Verification::stopDecided() {
@@ -147,8 +149,9 @@ std::optional<Unsupported> Verification::exploreWhole(const std::vector<std::siz
 }
 
 /// Slices omit errors, so they are used only if errors are asked for or cannot happen.
-bool Verification::usesSlices() {
-  return takes(Reduction::Slices) && !compiled.system.hasPriorities &&
+bool Verification::usesParts() {
+  return (takes(Reduction::Slices) || takes(Reduction::Refinement)) &&
+         !compiled.system.hasPriorities &&
          (askForErrors(compiled.goals) ||
           isPlainlyNever(whole, Goal{.kind = GoalKind::Error}, limits));
 }
@@ -167,7 +170,8 @@ bool Verification::answerTrue(std::size_t index) {
 /// \param most size of the searches together
 bool Verification::exploreSlices(std::vector<std::size_t> which, const SearchSize& most) {
   std::erase_if(which, [&](std::size_t i) { return answered.contains(i); });
-  if (which.size() * whole.transitions.size() > kMostWork) return false;
+  if (!takes(Reduction::Slices) || which.size() * whole.transitions.size() > kMostWork)
+    return false;
   const Witness witness(whole, none, provenance, limits);
   SliceSearch slices(compiled.system, whole, provenance, may(), limits, options.answers);
   const Bits decided = slices.decide(compiled.goals, which, most, result.exploration,
@@ -176,6 +180,21 @@ bool Verification::exploreSlices(std::vector<std::size_t> which, const SearchSiz
                                      });
   result.exploration.sliced += decided.count();
   slicesAreDone = !slices.wasCutShort();
+  return !decided.empty();
+}
+
+/// \return whether any of the questions was answered
+bool Verification::refine(std::vector<std::size_t> which, const Refinement::Budget& budget) {
+  if (budget.together == 0 || !takes(Reduction::Refinement)) return false;
+  std::erase_if(which, [&](std::size_t i) { return answered.contains(i); });
+  if (which.empty()) return false;
+  const Witness witness(whole, none, provenance, limits);
+  Refinement refinement(compiled.system, whole, provenance, may(), limits, options.answers);
+  const Bits decided = refinement.decide(compiled.goals, which, budget, result.exploration,
+                                         [&](std::size_t i, const Evidence* evidence) {
+                                           return isShownBySlice(i, evidence, witness);
+                                         });
+  result.exploration.sliced += decided.count();
   return !decided.empty();
 }
 

@@ -5,7 +5,7 @@
 #include "verify/compile/compile.h"
 #include "verify/explore/search.h"
 #include "verify/settled.h"
-#include "verify/slice/stages.h"
+#include "verify/stages.h"
 #include "verify/trace/witness.h"
 #include "verify/verify.h"
 
@@ -58,10 +58,11 @@ private:
   enum class Order : std::uint8_t { BreadthFirst, Led, Walks };
   std::optional<Unsupported> exploreWhole(const std::vector<std::size_t>& which, const Pause& pause,
                                           Order order = Order::BreadthFirst);
-  [[nodiscard]] bool usesSlices();
+  [[nodiscard]] bool usesParts();
   bool isAnsweredPlainly(std::size_t index);
   bool answerTrue(std::size_t index);
   bool exploreSlices(std::vector<std::size_t> which, const SearchSize& most);
+  bool refine(std::vector<std::size_t> which, const Refinement::Budget& budget);
   [[nodiscard]] std::vector<std::size_t> leadable(const std::vector<std::size_t>& which) const;
   bool exploreLed(const std::vector<std::size_t>& which, std::uint64_t most, std::uint64_t each);
   bool exploreByWalks(const std::vector<std::size_t>& which, std::uint64_t most);

@@ -142,6 +142,7 @@ enum class Reduction : std::uint8_t {
   PrivateMoves,  ///< fires at once the steps of a process on inputs that only it reads
   StubbornSets,  ///< fires one urgent transition alone where that is safe
   Slices,        ///< asks a question of the part of the model that has an influence on it
+  Refinement,    ///< asks a question of a part that grows, in which the rest may do anything
   Inclusion,     ///< does not expand a zone that another zone of the same discrete state includes
   Extrapolation, ///< drops clock bounds beyond the largest constants (LU)
 };
@@ -164,10 +165,10 @@ struct Progress {
 };
 
 struct Options {
-  std::set<Reduction> reductions{Reduction::DeadVariables, Reduction::LiveVariables,
-                                 Reduction::FreeInputs,    Reduction::PrivateMoves,
-                                 Reduction::StubbornSets,  Reduction::Slices,
-                                 Reduction::Inclusion,     Reduction::Extrapolation};
+  std::set<Reduction> reductions{
+      Reduction::DeadVariables, Reduction::LiveVariables, Reduction::FreeInputs,
+      Reduction::PrivateMoves,  Reduction::StubbornSets,  Reduction::Slices,
+      Reduction::Refinement,    Reduction::Inclusion,     Reduction::Extrapolation};
   /// A system with so few classes is explored as a whole: slices are for what is larger, and so are
   /// searches that are led to one goal. Large slices and long led searches have to wait for 30
   /// times as many.

@@ -52,14 +52,16 @@ const std::vector<std::pair<std::string, Options>>& settings() {
         {"dead variables", Reduction::DeadVariables}, {"live variables", Reduction::LiveVariables},
         {"open variables", Reduction::FreeInputs},    {"private moves", Reduction::PrivateMoves},
         {"safe steps", Reduction::StubbornSets},      {"slices", Reduction::Slices},
-        {"inclusion", Reduction::Inclusion},          {"extrapolation", Reduction::Extrapolation}};
+        {"refinement", Reduction::Refinement},        {"inclusion", Reduction::Inclusion},
+        {"extrapolation", Reduction::Extrapolation}};
     for (const auto& [name, reduction] : names) {
       made.emplace_back("without " + name, Options{});
       made.back().second.reductions.erase(reduction);
       made.emplace_back("only " + name, Options{.reductions = {reduction}});
       if (reduction == Reduction::PrivateMoves) // they are on open variables
         made.back().second.reductions.insert(Reduction::FreeInputs);
-      if (reduction == Reduction::Slices) made.back().second.classesBeforeSlices = 0;
+      if (reduction == Reduction::Slices || reduction == Reduction::Refinement)
+        made.back().second.classesBeforeSlices = 0;
     }
     made.emplace_back("slices first", Options{.classesBeforeSlices = 0});
     made.emplace_back("slices in the middle", Options{.classesBeforeSlices = 5});
@@ -88,7 +90,7 @@ Judged judge(const fiacre::Program& program, std::size_t limit, Reading reading)
 std::optional<std::string> disagreement(const fiacre::Program& program,
                                         const fiacre::Provenance& provenance, const Judged& judged,
                                         const std::pair<std::string, Options>& setting,
-                                        std::size_t* decided) {
+                                        std::size_t* decided, std::uint64_t* sliced) {
   std::vector<verify::Question> questions; // those that the oracle has decided
   for (std::size_t i = 0; i < program.properties.size(); ++i)
     if (judged.truths[i]) questions.push_back({i});
@@ -99,6 +101,7 @@ std::optional<std::string> disagreement(const fiacre::Program& program,
   options.limits.classes = 200'000;
   auto result = verify::verify(program, provenance, questions, options);
   if (!result) return "the engine cannot run it: " + result.error().message;
+  if (sliced) *sliced = result->exploration.sliced;
   for (std::size_t each = 0; each < questions.size(); ++each) {
     const auto& answer = result->answers[each];
     const std::size_t i = questions[each].property;

@@ -28,10 +28,11 @@ struct Judged {
 /// Asks the engine for every property under one setting, and describes disagreements with the
 /// oracle and traces that cannot be replayed. An undecided question is a disagreement, unless zones
 /// are not extrapolated. \pre `judged` is of `program` \param decided counts the answers
+/// \param sliced receives the number of answers of parts
 [[nodiscard]] std::optional<std::string>
 disagreement(const fiacre::Program& program, const fiacre::Provenance& provenance,
              const Judged& judged, const std::pair<std::string, verify::Options>& setting,
-             std::size_t* decided = nullptr);
+             std::size_t* decided = nullptr, std::uint64_t* sliced = nullptr);
 
 /// The program with a property for each state of each instance and for each tag without one: is it
 /// absent?

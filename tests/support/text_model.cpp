@@ -29,6 +29,15 @@ verify::Answer answer(const fiacre::Parsed& parsed, const verify::Options& optio
   return std::move(given);
 }
 
+/// Number of answers from parts that are asked first, without a reduction.
+std::uint64_t answersOfParts(const fiacre::Parsed& parsed, verify::Reduction without) {
+  verify::Options options;
+  options.classesBeforeSlices = 0;
+  options.reductions.erase(without);
+  const auto result = verify::verify(parsed.program, parsed.provenance, {{0}}, options);
+  return result ? result->exploration.sliced : 0;
+}
+
 } // namespace
 
 bool Text::isFalse(const std::string& pattern) const {
@@ -42,15 +51,18 @@ bool Text::isFalse(const std::string& pattern) const {
   slicesFirst.classesBeforeSlices = 0;
   if (answer(parsed, slicesFirst).truth != truth)
     throw std::runtime_error("slices change the answer");
+  slicesFirst.reductions = {verify::Reduction::Refinement};
+  if (answer(parsed, slicesFirst).truth != truth)
+    throw std::runtime_error("refinement changes the answer");
   return truth == verify::Truth::False;
 }
 
 std::uint64_t Text::sliced(const std::string& pattern) const {
-  const auto parsed = read(text, pattern);
-  verify::Options options;
-  options.classesBeforeSlices = 0;
-  const auto result = verify::verify(parsed.program, parsed.provenance, {{0}}, options);
-  return result ? result->exploration.sliced : 0;
+  return answersOfParts(read(text, pattern), verify::Reduction::Refinement);
+}
+
+std::uint64_t Text::refined(const std::string& pattern) const {
+  return answersOfParts(read(text, pattern), verify::Reduction::Slices);
 }
 
 verify::Trace Text::trace(const std::string& pattern) const {

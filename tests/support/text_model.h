@@ -20,6 +20,8 @@ public:
   [[nodiscard]] bool isTrue(const std::string& pattern) const { return !isFalse(pattern); }
   /// Number of answers from slices if they are asked first: 0 or 1.
   [[nodiscard]] std::uint64_t sliced(const std::string& pattern) const;
+  /// The same of slices that are refined.
+  [[nodiscard]] std::uint64_t refined(const std::string& pattern) const;
   /// The run that violates the pattern. \pre it is violated
   [[nodiscard]] verify::Trace trace(const std::string& pattern) const;
   /// The run-time error, with the text of its statement: `x := 1 / y: a division by zero`. Empty if

@@ -86,10 +86,11 @@ Ask questionsOf(const fiacre::Program& program, bool inTime) {
   return questions;
 }
 
-/// All reductions but slices, so that the ranks share the search from its start.
-std::set<Reduction> withoutSlices() {
+/// All reductions but slices and refinement, so that the ranks share the search from its start.
+std::set<Reduction> withoutParts() {
   auto reductions = verify::Options().reductions;
   reductions.erase(Reduction::Slices);
+  reductions.erase(Reduction::Refinement);
   return reductions;
 }
 
@@ -109,7 +110,7 @@ TEST_CASE("several ranks agree with one, and with a process of its own") {
     for (const auto& program : randomModels(seed)) {
       INFO("seed " << seed << '\n' << fiacre::print(program));
       compare(program, questionsOf(program, true),
-              {.reductions = withoutSlices(), .limits = {.classes = kMost}}, false);
+              {.reductions = withoutParts(), .limits = {.classes = kMost}}, false);
       compare(program, questionsOf(program, false),
               {.reductions = kSameGraph, .limits = {.classes = kMost}}, true);
     }
@@ -126,12 +127,12 @@ TEST_CASE("ranks share what is left when slices and led searches have done what 
 TEST_CASE("ranks stop at the same class, and a limit of one is a limit of all") {
   const auto program = randomModel(0);
   const auto questions = questionsOf(program, true);
-  verify::Options options{.reductions = withoutSlices(), .limits = {.classes = 40}};
+  verify::Options options{.reductions = withoutParts(), .limits = {.classes = 40}};
   compare(program, questions, options, false);
 
   const std::atomic<bool> cancelled{true};
   const auto result = answersBy(3, program, questions, [&](unsigned rank) {
-    return verify::Options{.reductions = withoutSlices(),
+    return verify::Options{.reductions = withoutParts(),
                            .cancelled = rank == 2 ? &cancelled : nullptr};
   });
   REQUIRE(result);

@@ -13,6 +13,22 @@ std::string walker(const std::string& name, const std::string& seconds) {
          "]; to b from b wait [" + seconds + "]; to c from c wait [" + seconds + "]; to a ";
 }
 
+/// Users of one place that each take, at different times, and give back; before and after they do
+/// something else.
+std::string users(std::size_t count, const std::string& giveBack) {
+  std::string text;
+  std::string all;
+  for (std::size_t i = 0; i < count; ++i) {
+    text += fmt::format("process U{} (&taken: bool) is states before, want, has, after "
+                        "from before wait [{},9]; to want "
+                        "from want wait [0,0]; on not taken; taken := true; to has "
+                        "from has wait [1,{}]; {} to after from after wait [2,3]; to before ",
+                        i, i + 1, i + 2, giveBack);
+    all += fmt::format("{}U{}(&taken)", i == 0 ? "" : " || ", i);
+  }
+  return text + "component main is var taken: bool := false par * in " + all + " end";
+}
+
 } // namespace
 
 TEST_CASE("a slice leaves out what has nothing to do with the question") {
@@ -141,6 +157,71 @@ TEST_CASE("a variable matters to the steps that only end the relevant part of a 
       "par * in X(&c, &v) || Y(&c, &w) || P || Q || R end");
   CHECK(model.sliced("absent (main/value w and main/value v)") == 1);
   CHECK(model.reaches("main/value w and main/value v"));
+}
+
+// --- Refinement
+
+TEST_CASE("two never have what they take in turn, whatever else happens") {
+  const Text model(users(3, "taken := false;"));
+  const std::string both = "((main/1/state has) and (main/2/state has))";
+  CHECK_FALSE(model.reaches(both));
+  CHECK(model.sliced("absent " + both) == 0); // each has an influence on all
+  CHECK(model.refined("absent " + both) == 1);
+}
+
+TEST_CASE("who gives back too early lets another in") {
+  // the second place is given back by whoever passes `after`
+  const Text model(users(3, ""));
+  CHECK_FALSE(model.reaches("((main/1/state has) and (main/2/state has))"));
+  CHECK(model.reaches("((main/1/state after) and (main/2/state want))"));
+  CHECK(model.refined("absent ((main/1/state after) and (main/2/state want))") == 1);
+}
+
+TEST_CASE("a run of a part is completed by what others have to do at its dates") {
+  // P waits for Q, which takes 4 to 5 s; R makes steps every second
+  const Text model("process P (&called, &ready: bool) is states a, b, c "
+                   "from a wait [0,0]; called := true; to b "
+                   "from b wait [0,0]; on ready; if called then to c else to a end "
+                   "process Q (&called, &ready: bool) is states idle, busy "
+                   "from idle wait [0,0]; on called and not ready; to busy "
+                   "from busy wait [4,5]; ready := true; to idle "
+                   "process R is states s, t from s wait [1,1]; to t from t wait [1,1]; to s "
+                   "component main is var called: bool := false, ready: bool := false "
+                   "par * in P(&called, &ready) || Q(&called, &ready) || R end");
+  CHECK(model.reaches("main/1/state c"));
+  CHECK(model.refined("absent main/1/state c") == 1);
+  CHECK(model.trace("absent main/1/state c").steps.back().date == 4);
+}
+
+TEST_CASE("time decides where conditions do not") {
+  // Q is always first
+  const std::string text = "process P (&x: 0..2) is states a, b from a wait [5,6]; x := 1; to b "
+                           "process Q (&x: 0..2) is states a, b from a wait [1,{}]; "
+                           "on x = 0; x := 2; to b "
+                           "process R (&x: 0..2) is states a, b from a wait [9,9]; on x = 2; to b "
+                           "component main is var x: 0..2 := 0 "
+                           "par * in P(&x) || Q(&x) || R(&x) end";
+  const std::string asked = "((main/1/state b) and (main/2/state a))";
+  CHECK_FALSE(Text(fmt::format(fmt::runtime(text), 4)).reaches(asked));
+  CHECK(Text(fmt::format(fmt::runtime(text), 5)).reaches(asked));
+  CHECK(Text(fmt::format(fmt::runtime(text), 4)).refined("absent " + asked) == 1);
+}
+
+TEST_CASE("a location that nobody notices is passed at once, with what it writes") {
+  // from b to d leads a way on which v is written, and one on which it is not
+  const Text model("process P (&v: 0..3, &w: bool) is states a, b, c, d, e "
+                   "from a wait [0,0]; to b "
+                   "from b select wait [1,2]; v := 1; to c [] wait [2,3]; to c end "
+                   "from c wait [0,...[; to d from d wait [0,...[; w := not w; to e "
+                   "from e wait [1,1]; to a "
+                   "process Q (&w: bool) is states a, b from a wait [1,2]; on w; to b "
+                   "from b wait [1,2]; on not w; to a "
+                   "component main is var v: 0..3 := 0, w: bool := false "
+                   "par * in P(&v, &w) || Q(&w) end");
+  CHECK(model.reaches("main/value v = 1"));
+  CHECK(model.reaches("((main/value v = 0) and (main/2/state b))"));
+  CHECK_FALSE(model.reaches("main/value v = 2"));
+  CHECK(model.refined("absent main/value v = 2") == 1);
 }
 
 } // namespace proskill::test::slices_test

@@ -22,7 +22,8 @@ bool suits(const Monitor& monitor, Reduction reduction, const System& system) {
   case Reduction::FreeInputs: return watchesPoints(monitor) || watchesStates(monitor, system);
   case Reduction::StubbornSets: return watchesPoints(monitor);
   case Reduction::PrivateMoves:
-  case Reduction::Slices: return false;
+  case Reduction::Slices:
+  case Reduction::Refinement: return false;
   case Reduction::LiveVariables:
   case Reduction::Inclusion:
   case Reduction::Extrapolation: return true;

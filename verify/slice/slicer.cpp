@@ -83,12 +83,17 @@ Slicer::Cone Slicer::coneOf(const SliceSeeds& seeds) {
     before = cone.size();
     grow(cone);
   }
+  for (const auto& instance : base.instances) cone.own.emplace_back().insert(instance.location);
+  cone.cells.each([&](CellId cell) {
+    if (cone.reader[cell] != kNone) cone.own[cone.reader[cell]].insert(cell);
+  });
   return cone;
 }
 
 void Slicer::begin(const SliceSeeds& seeds, Cone& cone) const {
   cone.reader.assign(base.cells.size(), kNone);
   cone.loose = seeds.loose;
+  cone.known = seeds.cells;
   cone.isExact = !seeds.steps.empty();
   seeds.steps.each([&](TransitionId id) { observe(id, cone); });
   Bits events;
@@ -193,7 +198,7 @@ void Slicer::needGuard(TransitionId id, Cone& cone) {
     if (cells.isWithin(facts.transitions[id].ownLocations) || isLoose(id, cone)) continue;
     if (isPlain && isInstant(conjunct))
       cone.instant.insert(conjunct);
-    else
+    else if (!isOmitted(conjunct, id, cone))
       for (auto part : transition.parts) need(cells, base.paths[part].instance, cone);
   }
 }
@@ -205,6 +210,12 @@ bool Slicer::isLoose(TransitionId id, const Cone& cone) const {
          std::ranges::all_of(transition.parts, [&](PathId part) {
            return cone.loose.contains(base.paths[part].instance);
          });
+}
+
+/// Whether the slice is made without the condition of the step.
+bool Slicer::isOmitted(ConjunctId conjunct, TransitionId of, const Cone& cone) const {
+  return cone.known && !base.transitions[of].fails &&
+         !facts.conjuncts[conjunct].whole.cells.isWithin(*cone.known);
 }
 
 void Slicer::needCode(PathId id, Cone& cone) const {
@@ -235,17 +246,19 @@ void Slicer::needInstants(Cone& cone) const {
 
 // --- The slice
 
-/// The cells whose values are, in a state of the slice, those of the whole wherever the transition
-/// may be possible. If only one instance reads a cell, the slice omits what is written after it has
-/// read it for the last time; so others would read an old value.
-Bits Slicer::currentFor(TransitionId id, const Cone& cone) const {
+/// The cells whose values are, in a state of the slice, those of the whole wherever these instances
+/// may take a step together. If only one instance reads a cell, the slice omits what is written
+/// after it has read it for the last time; so others would read an old value.
+Bits Slicer::currentFor(const Bits& moving, const Cone& cone) {
   Bits current = cone.shared;
-  current |= facts.transitions[id].ownLocations;
-  for (auto part : base.transitions[id].parts)
-    cone.cells.each([&](CellId cell) {
-      if (cone.reader[cell] == base.paths[part].instance) current.insert(cell);
-    });
+  moving.each([&](InstanceId instance) { current |= cone.own[instance]; });
   return current;
+}
+
+Bits Slicer::instancesOf(TransitionId id) const {
+  Bits moving;
+  for (auto part : base.transitions[id].parts) moving.insert(base.paths[part].instance);
+  return moving;
 }
 
 /// The conjunction of those parts that read nothing else.
@@ -263,6 +276,43 @@ NodeId Slicer::guardWithin(const std::vector<ConjunctId>& guard, const Bits& kno
   return made;
 }
 
+/// Whether the slice may take a step later than the whole has to: a condition that the slice omits
+/// decides since when the step is due.
+bool Slicer::mayBeLate(TransitionId id, const Bits& current, const Cone& cone) {
+  const Transition& transition = base.transitions[id];
+  if (!transition.urgent && transition.clock == kNone) return false;
+  if (!cone.known && cone.relevant.contains(transition.parts.front()) && !isLoose(id, cone))
+    return false;
+  return !std::ranges::all_of(facts.transitions[id].guard, [&](ConjunctId conjunct) {
+    return facts.conjuncts[conjunct].whole.cells.isWithin(current) ||
+           (transition.clock == kNone && isInstant(conjunct));
+  });
+}
+
+Transition Slicer::cut(TransitionId id, const Cone& cone, Nodes& nodes, Slice& made) {
+  Transition transition = base.transitions[id];
+  const Bits current = currentFor(instancesOf(id), cone);
+  if (mayBeLate(id, current, cone)) {
+    made.late.insert(static_cast<std::uint32_t>(made.original.size()));
+    transition.urgent = false;
+    transition.interval = {};
+    transition.clock = kNone;
+  }
+  transition.guard = guardWithin(facts.transitions[id].guard, current, nodes);
+  transition.guardReads &= current;
+  return transition;
+}
+
+Path Slicer::cutPath(PathId id, const Cone& cone, Nodes& nodes) const {
+  Path path = base.paths[id];
+  Bits moving;
+  moving.insert(path.instance);
+  const Bits current = currentFor(moving, cone);
+  path.guard = guardWithin(facts.paths[id].guard, current, nodes);
+  path.guardReads &= current;
+  return path;
+}
+
 Slice Slicer::slice(const SliceSeeds& seeds) {
   const Cone cone = coneOf(seeds);
   shell.nodes = base.nodes;
@@ -272,31 +322,13 @@ Slice Slicer::slice(const SliceSeeds& seeds) {
   std::map<PathId, PathId> numbers;
   for (TransitionId id = 0; id < base.transitions.size(); ++id) {
     limits.check();
-    Transition transition = base.transitions[id];
     const auto isKept = [&](PathId part) { return cone.kept.contains(part); };
-    if (!std::ranges::all_of(transition.parts, isKept)) continue;
-    const auto& guard = facts.transitions[id].guard;
-    const Bits known = currentFor(id, cone);
-    const auto isExact = [&](ConjunctId conjunct) {
-      return facts.conjuncts[conjunct].whole.cells.isWithin(known) || isInstant(conjunct);
-    };
-    const bool mayBeLate = !cone.relevant.contains(transition.parts.front()) || isLoose(id, cone);
-    if (mayBeLate && transition.urgent && !std::ranges::all_of(guard, isExact)) {
-      made.late.insert(static_cast<std::uint32_t>(made.original.size()));
-      transition.urgent = false;
-      transition.interval = {};
-    }
-    transition.guard = guardWithin(guard, known, nodes);
-    transition.guardReads &= known;
+    if (!std::ranges::all_of(base.transitions[id].parts, isKept)) continue;
+    Transition transition = cut(id, cone, nodes, made);
     for (auto& part : transition.parts) {
-      const auto [entry, isNew] =
-          numbers.try_emplace(part, static_cast<PathId>(system.paths.size()));
-      if (isNew) {
-        Path path = base.paths[part];
-        path.guard = guardWithin(facts.paths[part].guard, known, nodes);
-        path.guardReads &= known;
-        system.paths.push_back(std::move(path));
-      }
+      const auto next = static_cast<PathId>(system.paths.size());
+      const auto [entry, isNew] = numbers.try_emplace(part, next);
+      if (isNew) system.paths.push_back(cutPath(part, cone, nodes));
       part = entry->second;
     }
     if (transition.clock != kNone && base.clocks[transition.clock].transition == id)

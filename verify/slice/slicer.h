@@ -7,6 +7,7 @@
 #include "verify/slice/slice_facts.h"
 
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace proskill::verify {
@@ -17,7 +18,7 @@ namespace proskill::verify {
 struct Slice {
   System system; ///< cells, instances, nodes and events are numbered as in the whole
   std::vector<TransitionId> original; ///< by transition: its index in the whole system
-  Bits late;                          ///< transitions that are urgent in the whole only
+  Bits late; ///< transitions that have to happen by some date in the whole only
 };
 
 /// What a slice is for.
@@ -28,6 +29,9 @@ struct SliceSeeds {
   /// Instances whose urgent steps may be taken at any time, whatever other instances do. The slice
   /// then has more runs, and is smaller.
   Bits loose;
+  /// If it is set: conditions of steps on other cells are omitted, unless the slice has these cells
+  /// anyway. Such steps may be taken at any time, so the slice has more runs, and is smaller.
+  std::optional<Bits> cells{};
 };
 
 /// Cuts a system into slices. Weiser, "Program slicing", TSE 1984; docs/verification.md explains
@@ -50,6 +54,8 @@ public:
 
   /// The system that is cut. Nodes may be added to it.
   [[nodiscard]] System& system() { return base; }
+  /// It has the nodes of known().
+  [[nodiscard]] const System& withLayout() const { return laidOut; }
   [[nodiscard]] const SliceFacts& known() const { return facts; }
   [[nodiscard]] InstantWaits& instantWaits() { return waits; }
   /// Whether no time passes while the conjunct is false. \throw LimitMet
@@ -61,13 +67,15 @@ private:
   /// Dependencies of a slice. All sets only grow.
   struct Cone {
     Bits loose;
-    bool isExact = false; ///< all steps of an instance with several locations or clocks matter
+    std::optional<Bits> known; ///< cells of conditions that are not omitted; nullopt: none is
+    bool isExact = false;      ///< all steps of an instance with several locations or clocks matter
     Bits instances;
     Bits cells;  ///< whose values are relevant; locations only if other instances read them
     Bits shared; ///< those read by several instances, or by a goal
     std::vector<InstanceId> reader; ///< by cell: its only reader, or kNone
-    Bits observed;                  ///< paths that must be in the slice
-    Bits kept;                      ///< paths of the slice
+    std::vector<Bits> own; ///< by instance: its location, and the cells that it is the reader of
+    Bits observed;         ///< paths that must be in the slice
+    Bits kept;             ///< paths of the slice
     Bits relevant; ///< those that may lead to something relevant; the others start where one of
                    ///< these does
     Bits instant;  ///< conjuncts that are false only for an instant, so that the slice omits parts
@@ -86,7 +94,12 @@ private:
   void needInstants(Cone& cone) const;
   static void need(const Bits& cells, InstanceId reader, Cone& cone);
   [[nodiscard]] bool isLoose(TransitionId id, const Cone& cone) const;
-  [[nodiscard]] Bits currentFor(TransitionId id, const Cone& cone) const;
+  [[nodiscard]] bool isOmitted(ConjunctId conjunct, TransitionId of, const Cone& cone) const;
+  [[nodiscard]] static Bits currentFor(const Bits& moving, const Cone& cone);
+  [[nodiscard]] Bits instancesOf(TransitionId id) const;
+  [[nodiscard]] Transition cut(TransitionId id, const Cone& cone, Nodes& nodes, Slice& made);
+  [[nodiscard]] Path cutPath(PathId id, const Cone& cone, Nodes& nodes) const;
+  [[nodiscard]] bool mayBeLate(TransitionId id, const Bits& current, const Cone& cone);
   [[nodiscard]] bool writesWhatMatters(PathId id, const Cone& cone) const;
   [[nodiscard]] NodeId guardWithin(const std::vector<ConjunctId>& guard, const Bits& known,
                                    Nodes& nodes) const;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "verify/explore/explorer.h"
+#include "verify/refine/refinement.h"
 
 #include <vector>
 
@@ -14,10 +15,11 @@ inline constexpr std::size_t kMostLedWork = 100'000;
 /// What is tried when a search of the whole system has reached a size.
 struct Stage {
   SearchSize at;
-  SearchSize slices;         ///< of the searches of all slices together
-  std::uint64_t led = 0;     ///< classes of all led searches together
-  std::uint64_t ledEach = 0; ///< a led search of fewer classes is not worth its preparation
-  std::uint64_t walks = 0;   ///< classes of a search by random walks
+  SearchSize slices{0, 0};    ///< of the searches of all slices together
+  Refinement::Budget refined; ///< of slices that are refined
+  std::uint64_t led = 0;      ///< classes of all led searches together
+  std::uint64_t ledEach = 0;  ///< a led search of fewer classes is not worth its preparation
+  std::uint64_t walks = 0;    ///< classes of a search by random walks
 };
 
 /// Small slices and short led searches come early, since these cost little. docs/benchmarks.md has

@@ -1,0 +1,165 @@
+#include "verify/refine/refinement.h"
+
+#include "verify/refine/contraction.h"
+#include "verify/refine/omitted_conditions.h"
+#include "verify/slice/part_text.h"
+#include "verify/slice/whole_run.h"
+#include "verify/state/state_layout.h"
+#include "verify/trace/witness.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace proskill::verify {
+
+namespace {
+
+/// From this size on, a search is led by the distance to its goal. Smaller ones are not worth the
+/// preparation.
+constexpr std::uint64_t kMostInOrder = 1'000;
+/// Making a slice takes as long as exploring a class for so many transitions of the whole.
+constexpr std::uint64_t kTransitionsPerClass = 16;
+
+void spend(std::uint64_t amount, std::uint64_t& left) { left -= std::min(left, amount); }
+
+/// The system in which a possible step may be taken at any time.
+System withoutTime(System system) {
+  for (auto& transition : system.transitions) {
+    if (transition.fails) continue;
+    transition.urgent = false;
+    transition.interval = {};
+    transition.clock = kNone;
+  }
+  return system;
+}
+
+} // namespace
+
+Refinement::Refinement(const System& system, const System& laidOut,
+                       const fiacre::Provenance& origins, Takes may, LimitWatch& watch,
+                       AnswerStore* answers)
+    : split(withSplitTests(system, watch)),
+      slicer(split.system, watch),
+      whole(laidOut),
+      provenance(origins),
+      takes(std::move(may)),
+      limits(watch),
+      store(answers) {}
+
+Bits Refinement::decide(const std::vector<Goal>& goals, const std::vector<std::size_t>& open,
+                        Budget budget, Exploration& statistics, const OnDecided& onDecided) {
+  Bits decided;
+  for (auto i : open) {
+    if (budget.together == 0) break;
+    if (!Slicer::canDecide(goals[i])) continue;
+    const auto most = std::min(budget.together, budget.each);
+    auto left = most;
+    const auto outcome = decide(goals[i], left, statistics);
+    spend(most - left, budget.together);
+    if ((outcome != Outcome::Never || !onDecided(i, nullptr)) &&
+        (outcome != Outcome::Run || !onDecided(i, &run)))
+      continue;
+    decided.insert(static_cast<std::uint32_t>(i));
+    budget.together += budget.each;
+  }
+  return decided;
+}
+
+Refinement::Outcome Refinement::decide(const Goal& goal, std::uint64_t& left,
+                                       Exploration& statistics) {
+  known = {};
+  isTimed = false;
+  auto outcome = Outcome::Refined;
+  while (outcome == Outcome::Refined && left > 0) {
+    const Slice slice = slicer.slice({.goals = {&goal}, .steps = {}, .loose = {}, .cells = known});
+    spend(split.system.transitions.size() / kTransitionsPerClass, left);
+    outcome = explore(goal, slice, left, statistics);
+  }
+  return outcome;
+}
+
+Refinement::Outcome Refinement::explore(const Goal& goal, const Slice& slice, std::uint64_t& left,
+                                        Exploration& statistics) {
+  const auto [part, original] =
+      contracted(isTimed ? slice.system : withoutTime(slice.system), goal, limits);
+  const auto text = store ? PartText(part).with(goal) : std::string();
+  if (store && store->isNeverIn(text)) return Outcome::Never;
+  const Prepared prepared(part, {goal}, takes, limits);
+  const auto found = searchFor(goal, part, prepared, left, statistics);
+  if (found.failure) return Outcome::GaveUp;
+  if (!found.goals[0]) {
+    if (!found.statistics.complete) return Outcome::GaveUp;
+    if (store) store->keepNeverIn(text);
+    return Outcome::Never;
+  }
+  const System allCells = withStateLayout(part);
+  const Witness witness(allCells, prepared.reductions, provenance, limits);
+  Steps steps;
+  for (auto step : witness.tidied(goal, *found.goals[0]).steps)
+    std::ranges::copy(original[step], std::back_inserter(steps));
+  return complete(goal, slice, steps);
+}
+
+/// Searches breadth-first, and if that takes long, once more with the states next to the goal
+/// first.
+SearchResult Refinement::searchFor(const Goal& goal, const System& part, const Prepared& prepared,
+                                   std::uint64_t& left, Exploration& statistics) {
+  const auto most = std::min(kMostInOrder, left);
+  auto found = searchFor(goal, prepared, nullptr, most, left, statistics);
+  if (!found.paused || left == 0) return found;
+  std::optional<GoalDistance> distance;
+  if (GoalDistance::isFor(goal))
+    distance.emplace(part, prepared.system, goal, prepared.reductions.dropped, limits);
+  return searchFor(goal, prepared, distance ? &*distance : nullptr, left, left, statistics);
+}
+
+SearchResult Refinement::searchFor(const Goal& goal, const Prepared& prepared,
+                                   GoalDistance* distance, std::uint64_t most, std::uint64_t& left,
+                                   Exploration& statistics) {
+  auto found = search(prepared.system, {goal}, prepared.reductions, prepared.extrapolation, limits,
+                      [](std::size_t, const Evidence&) {}, {.at = {most}, .next = {}}, {distance});
+  addCounts(statistics, found.statistics);
+  spend(found.statistics.classes, left);
+  return found;
+}
+
+/// Completes steps of the slice to a run of the whole, or finds out what the slice lacks.
+Refinement::Outcome Refinement::complete(const Goal& goal, const Slice& slice, const Steps& steps) {
+  const System allCells = withStateLayout(slice.system);
+  const auto dating = dated(allCells, Enabling(allCells), {steps, {}}, limits);
+  if (!dating) return refine(slice, steps);
+  Slice ofWhole = slice;
+  for (auto& id : ofWhole.original) id = split.original[id];
+  auto made = wholeRun(whole, ofWhole, steps, *dating, limits);
+  if (!made) return refine(slice, steps);
+  run = {std::move(*made), {}};
+  const bool isShown = Witness(whole, {}, provenance, limits).refutation(goal, run).empty();
+  return isShown ? Outcome::Run : refine(slice, steps);
+}
+
+/// \param steps a run of the slice that is none of the whole
+Refinement::Outcome Refinement::refine(const Slice& slice, const Steps& steps) {
+  OmittedConditions omitted(slicer, known);
+  for (auto step : steps) omitted.follow(slice.original[step]);
+  if (!isTimed && omitted.wanted().empty()) {
+    isTimed = true;
+    return Outcome::Refined;
+  }
+  const Bits wanted = omitted.wanted().empty() ? readByLate(slice) : omitted.wanted();
+  if (wanted.isWithin(known)) return Outcome::GaveUp;
+  known |= wanted;
+  return Outcome::Refined;
+}
+
+/// What decides since when steps are due that the slice may take later.
+Bits Refinement::readByLate(const Slice& slice) const {
+  Bits cells;
+  const SliceFacts& facts = slicer.known();
+  slice.late.each([&](TransitionId late) {
+    for (auto conjunct : facts.transitions[slice.original[late]].guard)
+      cells |= facts.conjuncts[conjunct].whole.cells;
+  });
+  return cells;
+}
+
+} // namespace proskill::verify

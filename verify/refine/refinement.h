@@ -1,0 +1,83 @@
+#pragma once
+
+#include "verify/answer_store.h"
+#include "verify/explore/search.h"
+#include "verify/guide/goal_distance.h"
+#include "verify/reduce/prepared.h"
+#include "verify/refine/split_tests.h"
+#include "verify/slice/slicer.h"
+#include "verify/verify.h"
+
+#include <functional>
+
+namespace proskill::verify {
+
+/// Answers questions by slices that begin small and grow until they decide. Such a slice omits
+/// conditions on cells that it does not know, and at first time, as if anything else might happen:
+/// so what never happens in it never happens. A run of the slice that is none of the whole says
+/// which cells to add. Kurshan, "Computer-aided verification of coordinating processes", 1994;
+/// Clarke, Grumberg, Jha, Lu, Veith, "Counterexample-guided abstraction refinement", CAV 2000.
+class Refinement {
+public:
+  using Takes = std::function<bool(Reduction)>;
+  /// Receives a goal, by its index, and a run of the whole system that reaches it; null: it is
+  /// never reached.
+  /// \return whether the run was confirmed
+  using OnDecided = std::function<bool(std::size_t, const Evidence*)>;
+
+  /// What the searches may cost, in classes. A slice that is made costs some, too.
+  struct Budget {
+    std::uint64_t together = 0; ///< it grows with each question that is decided
+    std::uint64_t each = 0;     ///< for one question
+  };
+
+  /// \param system without a state layout, and without priorities
+  /// \param whole the same with every cell kept
+  /// \param takes whether a reduction may be used
+  /// \param store keeps what never happens in slices; may be null
+  /// \pre the arguments outlive this
+  /// \throw LimitMet
+  Refinement(const System& system, const System& whole, const fiacre::Provenance& provenance,
+             Takes takes, LimitWatch& limits, AnswerStore* store);
+
+  /// \param open the goals to decide, by index
+  /// \param statistics counts the explorations
+  /// \return those that were decided
+  /// \throw LimitMet
+  [[nodiscard]] Bits decide(const std::vector<Goal>& goals, const std::vector<std::size_t>& open,
+                            Budget budget, Exploration& statistics, const OnDecided& onDecided);
+
+private:
+  enum class Outcome : std::uint8_t {
+    Never,   ///< the goal is never reached
+    Run,     ///< `run` reaches it
+    Refined, ///< the next slice knows more
+    GaveUp,
+  };
+
+  [[nodiscard]] Outcome decide(const Goal& goal, std::uint64_t& left, Exploration& statistics);
+  [[nodiscard]] Outcome explore(const Goal& goal, const Slice& slice, std::uint64_t& left,
+                                Exploration& statistics);
+  [[nodiscard]] SearchResult searchFor(const Goal& goal, const System& part,
+                                       const Prepared& prepared, std::uint64_t& left,
+                                       Exploration& statistics);
+  [[nodiscard]] SearchResult searchFor(const Goal& goal, const Prepared& prepared,
+                                       GoalDistance* distance, std::uint64_t most,
+                                       std::uint64_t& left, Exploration& statistics);
+  [[nodiscard]] Outcome complete(const Goal& goal, const Slice& slice, const Steps& steps);
+  [[nodiscard]] Outcome refine(const Slice& slice, const Steps& steps);
+  [[nodiscard]] Bits readByLate(const Slice& slice) const;
+
+  SplitSystem split;
+  Slicer slicer; ///< of the split system
+  const System& whole;
+  const fiacre::Provenance& provenance;
+  Takes takes;
+  LimitWatch& limits;
+  AnswerStore* store;
+  Bits known;           ///< cells of the conditions that the next slice does not omit
+  bool isTimed = false; ///< whether the next slice has clocks
+  Evidence run;         ///< of the whole
+};
+
+} // namespace proskill::verify

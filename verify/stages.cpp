@@ -1,0 +1,26 @@
+#include "verify/stages.h"
+
+#include <algorithm>
+
+namespace proskill::verify {
+
+std::vector<Stage> stagesOf(const Options& options) {
+  const std::uint64_t size = options.classesBeforeSlices;
+  const std::uint64_t led = options.classesOfLedSearches;
+  const std::uint64_t unit = std::max<std::uint64_t>(size, 100);
+  return {{.at = {size},
+           .slices = {8 * size, 100 * size},
+           .led = std::min(2 * size, led),
+           .ledEach = size / 2,
+           .walks = std::min(4 * size, led)},
+          {.at = {5 * size}, .refined = {.together = 2 * unit, .each = unit / 2}},
+          {.at = {30 * size},
+           .slices = SearchSize{},
+           .refined = {.together = 200 * unit, .each = 4 * unit},
+           .led = led,
+           .ledEach = 100,
+           .walks = led},
+          {.at = {200 * size}, .refined = {.together = 2'000 * unit, .each = 200 * unit}}};
+}
+
+} // namespace proskill::verify
