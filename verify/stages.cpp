@@ -20,7 +20,7 @@ std::vector<Stage> stagesOf(const Options& options) {
            .led = led,
            .ledEach = 100,
            .walks = led},
-          {.at = {200 * size}, .refined = {.together = 2'000 * unit, .each = 200 * unit}}};
+          {.at = {200 * size}, .refined = {.together = 2'000 * unit, .each = 60 * unit}}};
 }
 
 } // namespace proskill::verify

@@ -79,6 +79,26 @@ TEST_CASE("the distance counts the steps that make conditions true") {
         GoalDistance::kFar);
 }
 
+TEST_CASE("a step that several parts of the goal need counts once in the distance") {
+  // one step frees the place that both wait for
+  const std::string text =
+      "process Holder (&free: bool) is states a, b from a wait [1,1]; free := true; to b "
+      "process Waiter (&free: bool) is states s, t "
+      "from s wait [0,0]; on free; to t "
+      "component main is var free: bool := false "
+      "par * in Holder(&free) || Waiter(&free) || Waiter(&free) end";
+  CHECK(distanceOf(text, "((main/2/state t) and (main/3/state t))") == 3);
+}
+
+TEST_CASE("a variable that counts has a distance for each value") {
+  const std::string text =
+      "process P (&n: 0..9) is states a from a wait [1,1]; on n < 9; n := n + 1; to a "
+      "component main is var n: 0..9 := 2 par * in P(&n) end";
+  const auto one = distanceOf(text, "main/value n = 3");
+  CHECK(distanceOf(text, "main/value n = 7") == one + 4);
+  CHECK(distanceOf(text, "main/value n = 1") == GoalDistance::kFar);
+}
+
 TEST_CASE("a led search finds what is reached late") {
   using verify::Truth;
   CHECK(answered(walkers(8), allAt(8, "f"), 0).answers[0].truth == Truth::Unknown);

@@ -92,8 +92,8 @@ void GoalDistance::index() {
     for (auto fact : rules[i].needs) users[fact].push_back(i);
     if (rules[i].needs.empty()) always.push_back(i);
     makes.add(rules[i].makes);
-    none.push_back(
-        {static_cast<std::uint32_t>(rules[i].needs.size()), rules[i].step == kNone ? 0U : 1U});
+    none.push_back({static_cast<std::uint32_t>(rules[i].needs.size()),
+                    rules[i].step == kNone && !rules[i].counts ? 0U : 1U});
   }
   for (const auto& some : users) uses.add(some);
 }
@@ -229,8 +229,10 @@ void GoalDistance::addWays(const Path& path, const Goal& goal, Way way, std::siz
 }
 
 void GoalDistance::addWay(Way way, std::size_t& left) {
-  if (left == 0 || way.makes.empty()) return;
+  if (left == 0 || (way.makes.empty() && way.counting.empty())) return;
   --left;
+  addCounting(way);
+  if (way.makes.empty()) return;
   addRule(std::move(way.needs), std::move(way.makes));
 }
 
@@ -240,11 +242,41 @@ void GoalDistance::require(NodeId node, bool isNegated, Way& way) {
   if (!read.meets(way.assigned)) way.needs.push_back(condition(node, isNegated));
 }
 
+/// Adds a rule for each value that a cell is counted from.
+void GoalDistance::addCounting(const Way& way) {
+  for (const auto& [target, value, _] : way.counting) {
+    const Cell& cell = system.cells[target];
+    for (auto before = cell.low; before <= cell.high; ++before) {
+      values[target] = before;
+      const auto after = evaluateUnpacked(system, value, values);
+      if (!after || *after == before || *after < cell.low || *after > cell.high) continue;
+      auto needs = way.needs;
+      needs.push_back(factOf(target, before));
+      addRule(std::move(needs), {factOf(target, *after)});
+      rules.back().counts = true;
+    }
+  }
+}
+
+/// Whether the new value depends on the old one alone.
+bool GoalDistance::isCounting(const Assignment& assignment) const {
+  Bits read;
+  addReads(system, assignment.value, read);
+  Bits own;
+  own.insert(assignment.target);
+  return read == own;
+}
+
 void GoalDistance::assign(const Assignment& assignment, Way& way) {
+  const bool isFirst = !way.assigned.contains(assignment.target);
   way.assigned.insert(assignment.target);
   const Node& value = system.nodes[assignment.value];
   const Cell& cell = system.cells[assignment.target];
   if (!isTracked(cell)) return;
+  if (isFirst && isCounting(assignment)) {
+    way.counting.push_back(assignment);
+    return;
+  }
   if (value.op != NodeOp::Number)
     for (auto fact : factsOf(assignment.target)) way.makes.push_back(fact);
   else if (value.number >= cell.low && value.number <= cell.high)
@@ -296,7 +328,7 @@ void GoalDistance::apply(RuleId rule) {
 }
 
 /// Dijkstra's algorithm: facts in the order of their costs.
-std::uint32_t GoalDistance::from(const Word* state) {
+bool GoalDistance::reachGoal(const Word* state) {
   std::ranges::fill(costs, kFar);
   queue.clear();
   progress = none;
@@ -305,29 +337,42 @@ std::uint32_t GoalDistance::from(const Word* state) {
   for (std::uint32_t cost = 0; cost < queue.end(); ++cost)
     for (FactId fact = queue.take(cost); fact != kNone; fact = queue.take(cost)) {
       if (costs[fact] != cost) continue; // reached at a lower cost
-      if (fact == wanted) return cost;
+      if (fact == wanted) return true;
       for (auto rule : uses.at(fact)) {
         progress[rule].sum += cost;
         if (--progress[rule].open == 0) apply(rule);
       }
     }
-  return kFar;
+  return false;
+}
+
+/// Calls `each` with each rule by which the goal was reached.
+template <class Each> void GoalDistance::eachOfPlan(Each each) {
+  isUsed.assign(rules.size(), false);
+  todo.assign(1, wanted);
+  while (!todo.empty()) {
+    const RuleId rule = makers[todo.back()];
+    todo.pop_back();
+    if (rule == kNone || isUsed[rule]) continue;
+    isUsed[rule] = true;
+    each(rules[rule]);
+    todo.insert(todo.end(), rules[rule].needs.begin(), rules[rule].needs.end());
+  }
+}
+
+std::uint32_t GoalDistance::from(const Word* state) {
+  if (!reachGoal(state)) return kFar;
+  std::uint32_t length = 0;
+  eachOfPlan([&](const Rule& rule) { length += rule.step != kNone || rule.counts ? 1 : 0; });
+  return length;
 }
 
 Bits GoalDistance::usefulSteps(const Word* state) {
   Bits steps;
-  if (from(state) == kFar) return steps;
-  Bits seen;
-  std::vector<FactId> todo{wanted};
-  while (!todo.empty()) {
-    const FactId fact = todo.back();
-    todo.pop_back();
-    if (seen.contains(fact) || makers[fact] == kNone) continue;
-    seen.insert(fact);
-    const Rule& rule = rules[makers[fact]];
+  if (!reachGoal(state)) return steps;
+  eachOfPlan([&](const Rule& rule) {
     if (rule.step != kNone) steps.insert(rule.step);
-    todo.insert(todo.end(), rule.needs.begin(), rule.needs.end());
-  }
+  });
   return steps;
 }
 

@@ -5,15 +5,18 @@
 #include "verify/model/system.h"
 
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace proskill::verify {
 
 /// Estimates how many steps lead from a state to a goal, so that a search can begin with the states
-/// next to it. The estimate ignores time, and assumes that a value, once reached, is never lost:
-/// h_add of Bonet and Geffner, "Planning as heuristic search", Artificial Intelligence 129, 2001.
-/// It may be too low or too high, so no verdict may depend on it.
+/// next to it: the length of a plan that ignores time and assumes that a value, once reached, is
+/// never lost. A step that several parts of the goal need counts once. Hoffmann and Nebel, "The FF
+/// planning system", JAIR 14, 2001; the plan follows the costs of Bonet and Geffner, "Planning as
+/// heuristic search", Artificial Intelligence 129, 2001. It may be too long or too short, so no
+/// verdict may depend on it.
 class GoalDistance {
 public:
   static constexpr std::uint32_t kFar = UINT32_MAX; ///< not even reached under these assumptions
@@ -41,6 +44,7 @@ private:
     std::vector<FactId> needs;
     std::vector<FactId> makes;
     TransitionId step = kNone; ///< kNone: follows without a step
+    bool counts = false;       ///< it is one of a cell's changes by an assignment that counts
   };
   /// What an estimate reads most often: a part of an array for each number.
   struct Lists {
@@ -85,6 +89,7 @@ private:
     std::vector<FactId> needs;
     std::vector<FactId> makes;
     Bits assigned;
+    std::vector<Assignment> counting; ///< whose values depend on their targets alone
   };
   struct TrackedCell {
     CellId cell = 0;
@@ -103,12 +108,16 @@ private:
   void addWay(Way way, std::size_t& left);
   void require(NodeId node, bool isNegated, Way& way);
   void assign(const Assignment& assignment, Way& way);
+  [[nodiscard]] bool isCounting(const Assignment& assignment) const;
+  void addCounting(const Way& way);
   [[nodiscard]] Bits relevantFacts() const;
   void keepRelevant();
   void index();
   void apply(RuleId rule);
   void reach(FactId fact, std::uint32_t cost, RuleId by);
   void reachInitial(const Word* state);
+  [[nodiscard]] bool reachGoal(const Word* state);
+  template <class Each> void eachOfPlan(Each each);
 
   const System& system;
   const System& laidOut;
@@ -130,6 +139,8 @@ private:
   std::vector<RuleId> makers;       ///< by fact: the rule of these costs; kNone: from the start
   std::vector<Progress> progress;   ///< by rule
   Queue queue;
+  std::vector<bool> isUsed; ///< by rule: whether it is in the plan
+  std::vector<FactId> todo; ///< needs of the plan
 };
 
 } // namespace proskill::verify
