@@ -29,7 +29,9 @@ public:
   }
 
   Contracted run() && {
-    Contracted made{system, {}};
+    Contracted made{system, {}, {}};
+    for (InstanceId i = 0; i < system.instances.size(); ++i)
+      if (isRemoved(i, startOf(i))) moveStart(i, made);
     made.system.paths.clear();
     made.system.transitions.clear();
     Nodes nodes(made.system);
@@ -105,15 +107,28 @@ private:
     return read.empty() && !written.meets(relevant) && !mayPass(system, transition, events);
   }
 
-  /// The greatest set of locations that can be removed.
+  /// The greatest set of locations that can be removed. The one at the start can if the instance
+  /// has one way on.
   void choose(InstanceId instance) {
     auto& chosen = isFree[instance];
     const CellId cell = system.instances[instance].location;
     if (readByOthers.contains(cell)) return chosen.assign(chosen.size(), false);
-    chosen[static_cast<std::size_t>(system.cells[cell].initial)] = false;
     for (std::uint32_t at = 0; at < chosen.size(); ++at)
       chosen[at] = chosen[at] && !from[instance][at].empty() &&
                    std::ranges::all_of(from[instance][at], [&](auto id) { return isFreeStep(id); });
+    keepWhereTimeMatters(instance);
+    const auto start = startOf(instance);
+    if (!chosen[start] || waysFrom(instance, start).size() == 1) return;
+    chosen[start] = false;
+    keepWhereTimeMatters(instance);
+  }
+
+  [[nodiscard]] std::uint32_t startOf(InstanceId instance) const {
+    return static_cast<std::uint32_t>(system.cells[system.instances[instance].location].initial);
+  }
+
+  void keepWhereTimeMatters(InstanceId instance) {
+    auto& chosen = isFree[instance];
     for (bool changed = true; changed;) {
       changed = false;
       for (std::uint32_t at = 0; at < chosen.size(); ++at) {
@@ -152,6 +167,12 @@ private:
     }
     std::erase_if(reached, [&](const auto& it) { return isRemoved(instance, it.first); });
     return reached;
+  }
+
+  void moveStart(InstanceId instance, Contracted& made) const {
+    const auto [to, steps] = *waysFrom(instance, startOf(instance)).begin();
+    made.system.cells[system.instances[instance].location].initial = to;
+    made.before.insert(made.before.end(), steps.begin(), steps.end());
   }
 
   void add(TransitionId id, Nodes& nodes, Contracted& made) {

@@ -12,6 +12,7 @@ namespace proskill::verify {
 /// A system without locations in which an instance does nothing that matters.
 struct Contracted {
   System system;
+  Steps before;                ///< steps that have been taken where the system starts
   std::vector<Steps> original; ///< by transition: the steps that it joins
 };
 

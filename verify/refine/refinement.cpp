@@ -80,7 +80,7 @@ Refinement::Outcome Refinement::decide(const Goal& goal, std::uint64_t& left,
 
 Refinement::Outcome Refinement::explore(const Goal& goal, const Slice& slice, std::uint64_t& left,
                                         Exploration& statistics) {
-  const auto [part, original] =
+  const auto [part, before, original] =
       contracted(isTimed ? slice.system : withoutTime(slice.system), goal, limits);
   const auto text = store ? PartText(part).with(goal) : std::string();
   if (store && store->isNeverIn(text)) return Outcome::Never;
@@ -94,7 +94,7 @@ Refinement::Outcome Refinement::explore(const Goal& goal, const Slice& slice, st
   }
   const System allCells = withStateLayout(part);
   const Witness witness(allCells, prepared.reductions, provenance, limits);
-  Steps steps;
+  Steps steps = before;
   for (auto step : witness.tidied(goal, *found.goals[0]).steps)
     std::ranges::copy(original[step], std::back_inserter(steps));
   return complete(goal, slice, steps);
