@@ -129,6 +129,17 @@ private:
   Errors& errors;
 };
 
+/// The mapping with its actions in the order of the program, in which the adapter looks for them.
+nlohmann::ordered_json inOrder(const Json& mapping, const codegen::PlatformInterface& interface) {
+  nlohmann::ordered_json made = mapping;
+  auto& actions = made["actions"] = nlohmann::ordered_json::object();
+  for (const auto& performed : interface.performed)
+    if (const auto found = mapping["actions"].find(performed.skill);
+        found != mapping["actions"].end())
+      actions[performed.skill] = *found;
+  return made;
+}
+
 } // namespace
 
 FileErrors readRosPlatform(const JsonFile& from, Ros ros, const analysis::Program& program,
@@ -139,7 +150,7 @@ FileErrors readRosPlatform(const JsonFile& from, Ros ros, const analysis::Progra
         RosReader(program, interface, ros, errors).platform(file, library, settings.elsewhere);
     readLife(file, settings, errors);
     mapping["startup"] = static_cast<double>(settings.startup) / static_cast<double>(kSecond);
-    settings.settings = mapping.dump();
+    settings.settings = inOrder(mapping, interface).dump();
     settings.command = {errors.attempt([&] { return pythonOf(file, ros); })};
   });
 }
