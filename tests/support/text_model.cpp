@@ -77,6 +77,10 @@ std::string Text::error() const {
   const auto found = answer(parsed);
   if (answer(parsed, plain).truth != found.truth)
     throw std::runtime_error("reductions change the answer");
+  plain.reductions = {verify::Reduction::Refinement};
+  plain.classesBeforeSlices = 0;
+  if (answer(parsed, plain).truth != found.truth)
+    throw std::runtime_error("refinement changes the answer");
   if (!found.trace) return {};
   const auto& step = found.trace->steps.back();
   const auto& origin = parsed.provenance.origins.at(step.origins.back());

@@ -224,4 +224,24 @@ TEST_CASE("a location that nobody notices is passed at once, with what it writes
   CHECK(model.refined("absent main/value v = 2") == 1);
 }
 
+TEST_CASE("steps that two take together read no old values") {
+  // B reads c for the last time before it sets c, which A waits for
+  const Text model("process A [p: none] (&c: bool) is states a, b from a on c; p; to b "
+                   "process B [p: none] (&c: bool, &x: bool) is states l0, l1, l2 "
+                   "from l0 x := c; to l1 from l1 select c := true; loop [] p; to l2 end "
+                   "component main is var c: bool := false, x: bool := false port p: none "
+                   "par p -> A[p](&c) || p -> B[p](&c, &x) end");
+  CHECK(model.reaches("((main/2/state l2) and (main/value (not x)))"));
+}
+
+TEST_CASE("an error before a test needs no test to be true") {
+  const Text model("process P (&x: 0..3, &z: 0..3) is states s, t "
+                   "from s wait [1,1]; x := x + z; on z = 0; to t "
+                   "process Q (&z: 0..3) is states s, t from s wait [0,1]; z := 1; to t "
+                   "process R is states s, t from s wait [1,1]; to t from t wait [1,2]; to s "
+                   "component main is var x: 0..3 := 3, z: 0..3 := 0 "
+                   "par * in P(&x, &z) || Q(&z) || R end");
+  CHECK_FALSE(model.error().empty());
+}
+
 } // namespace proskill::test::slices_test

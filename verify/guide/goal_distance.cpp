@@ -184,7 +184,8 @@ void GoalDistance::addTransition(TransitionId id, const Goal& goal) {
     makes.push_back(wanted);
   addRule({condition(transition.guard, false)}, std::move(makes), id);
   for (auto part : transition.parts) {
-    Way way{0, {taken}, {}, {}};
+    Way way;
+    way.needs = {taken};
     std::size_t left = kMostWays;
     addWays(system.paths[part], goal, std::move(way), left);
   }
@@ -194,7 +195,7 @@ void GoalDistance::addTransition(TransitionId id, const Goal& goal) {
 /// the way itself assigns count as true.
 /// \param left number of ways that may be added yet
 void GoalDistance::addWays(const Path& path, const Goal& goal, Way way, std::size_t& left) {
-  for (std::size_t length = 0; length < kLongestWay && way.at < path.code.size(); ++length) {
+  for (; left > 0 && way.length < kLongestWay && way.at < path.code.size(); ++way.length) {
     limits.check();
     const auto& instruction = path.code[way.at++];
     if (instruction.event != kNone && goal.events.contains(instruction.event))

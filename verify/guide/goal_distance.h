@@ -86,6 +86,7 @@ private:
   /// A way through the code of a path.
   struct Way {
     std::size_t at = 0; ///< the next instruction
+    std::size_t length = 0;
     std::vector<FactId> needs;
     std::vector<FactId> makes;
     Bits assigned;

@@ -3,6 +3,7 @@
 #include "verify/model/nodes.h"
 #include "verify/reduce/dead_variables.h"
 #include "verify/reduce/path_facts.h"
+#include "verify/state/evaluate.h"
 
 #include <algorithm>
 #include <map>
@@ -11,6 +12,9 @@
 namespace proskill::verify {
 
 namespace {
+
+/// From a removed location: each step that leads there becomes one for each way.
+constexpr std::size_t kMostWaysOn = 8;
 
 /// Chooses the locations to remove, and makes the system without them.
 class Contraction {
@@ -104,7 +108,15 @@ private:
     read.erase(location);
     Bits written = transition.writes;
     written.erase(location);
-    return read.empty() && !written.meets(relevant) && !mayPass(system, transition, events);
+    return read.empty() && isTrueAt(transition.guard, location, path->location) &&
+           !written.meets(relevant) && !mayPass(system, transition, events);
+  }
+
+  /// Whether a condition on the location alone is true there.
+  [[nodiscard]] bool isTrueAt(NodeId condition, CellId cell, std::uint32_t location) const {
+    std::vector<std::int64_t> values(system.cells.size());
+    values[cell] = location;
+    return evaluateUnpacked(system, condition, values).value_or(0) != 0;
   }
 
   /// The greatest set of locations that can be removed. The one at the start can if the instance
@@ -132,7 +144,8 @@ private:
     for (bool changed = true; changed;) {
       changed = false;
       for (std::uint32_t at = 0; at < chosen.size(); ++at) {
-        if (!chosen[at] || maySkip(instance, at)) continue;
+        if (!chosen[at] || (maySkip(instance, at) && waysFrom(instance, at).size() <= kMostWaysOn))
+          continue;
         chosen[at] = false;
         changed = true;
       }
@@ -157,6 +170,7 @@ private:
     std::map<std::uint32_t, Steps> reached{{start, {}}};
     std::vector<std::uint32_t> todo{start};
     for (std::size_t i = 0; i < todo.size(); ++i) {
+      limits.check();
       if (!isRemoved(instance, todo[i])) continue;
       for (auto id : from[instance][todo[i]]) {
         const auto to = *simpleTarget(*onlyPath(id));

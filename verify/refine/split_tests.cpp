@@ -4,6 +4,7 @@
 #include "verify/model/path_summary.h"
 #include "verify/model/value_bounds.h"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 
@@ -11,7 +12,8 @@ namespace proskill::verify {
 
 namespace {
 
-constexpr std::size_t kMostWays = 8; ///< through the code of one path
+constexpr std::size_t kMostWays = 8;   ///< through the code of one path
+constexpr std::size_t kMostTests = 64; ///< that are followed, on all ways together
 
 /// Lists the ways through the code of a path, each as a path without tests.
 class Ways {
@@ -40,10 +42,11 @@ private:
       case InstructionKind::Tag:
       case InstructionKind::Origin: way.code.push_back(next); break;
       case InstructionKind::On:
+        if (mayHaveFailed(way)) return giveUp(); // an error comes before the test
         if (!require(next.node, way)) return;
         break;
       case InstructionKind::JumpUnless:
-        if (next.last < at) return giveUp(); // a loop
+        if (next.last < at || ++tests > kMostTests) return giveUp(); // a loop, or too many
         followUnless(next, way);
         if (!require(next.node, way)) return;
         break;
@@ -71,6 +74,12 @@ private:
     if (read.meets(writtenBy(way)) || mayFail(system, condition)) giveUp();
     way.guard = nodes.both(way.guard, condition);
     return !isHopeless;
+  }
+
+  [[nodiscard]] bool mayHaveFailed(const Path& way) const {
+    return std::ranges::any_of(way.assignments, [&](const Assignment& it) {
+      return it.checked || mayFail(system, it.value);
+    });
   }
 
   static Bits writtenBy(const Path& way) {
@@ -102,6 +111,7 @@ private:
   const System& system; ///< of the nodes
   const Path& path;
   std::vector<Path> found;
+  std::size_t tests = 0;
   bool isHopeless = false;
 };
 

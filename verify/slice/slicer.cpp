@@ -249,9 +249,14 @@ void Slicer::needInstants(Cone& cone) const {
 /// The cells whose values are, in a state of the slice, those of the whole wherever these instances
 /// may take a step together. If only one instance reads a cell, the slice omits what is written
 /// after it has read it for the last time; so others would read an old value.
-Bits Slicer::currentFor(const Bits& moving, const Cone& cone) {
+Bits Slicer::currentFor(const Bits& moving, const Cone& cone) const {
   Bits current = cone.shared;
-  moving.each([&](InstanceId instance) { current |= cone.own[instance]; });
+  moving.each([&](InstanceId instance) {
+    if (moving.count() == 1)
+      current |= cone.own[instance];
+    else // a step that they take together: the reader is only one of them
+      current.insert(base.instances[instance].location);
+  });
   return current;
 }
 
@@ -306,7 +311,7 @@ Transition Slicer::cut(TransitionId id, const Cone& cone, Nodes& nodes, Slice& m
 Path Slicer::cutPath(PathId id, const Cone& cone, Nodes& nodes) const {
   Path path = base.paths[id];
   Bits moving;
-  moving.insert(path.instance);
+  for (auto transition : facts.paths[id].transitions) moving |= instancesOf(transition);
   const Bits current = currentFor(moving, cone);
   path.guard = guardWithin(facts.paths[id].guard, current, nodes);
   path.guardReads &= current;

@@ -95,7 +95,7 @@ private:
   static void need(const Bits& cells, InstanceId reader, Cone& cone);
   [[nodiscard]] bool isLoose(TransitionId id, const Cone& cone) const;
   [[nodiscard]] bool isOmitted(ConjunctId conjunct, TransitionId of, const Cone& cone) const;
-  [[nodiscard]] static Bits currentFor(const Bits& moving, const Cone& cone);
+  [[nodiscard]] Bits currentFor(const Bits& moving, const Cone& cone) const;
   [[nodiscard]] Bits instancesOf(TransitionId id) const;
   [[nodiscard]] Transition cut(TransitionId id, const Cone& cone, Nodes& nodes, Slice& made);
   [[nodiscard]] Path cutPath(PathId id, const Cone& cone, Nodes& nodes) const;
