@@ -55,8 +55,8 @@ Json platformDiagnostics(const ide::Snapshot& snapshot, const std::filesystem::p
 namespace {
 
 /// A place in a file as an empty range, which editors extend to a word.
-Json rangeAt(std::string_view text, runtime::FilePlace place, syntax::Encoding encoding) {
-  const syntax::LineIndex lines(text);
+Json rangeAt(std::string_view text, const syntax::LineIndex& lines, runtime::FilePlace place,
+             syntax::Encoding encoding) {
   const auto at =
       syntax::fromEditor(text, lines, {place.line - 1, place.column - 1}, syntax::Encoding::Utf32);
   const auto [line, character] = syntax::toEditor(text, lines, at, encoding);
@@ -65,10 +65,10 @@ Json rangeAt(std::string_view text, runtime::FilePlace place, syntax::Encoding e
 }
 
 Json inFile(const runtime::PlatformFinding& finding, std::string_view text,
-            syntax::Encoding encoding) {
+            const syntax::LineIndex& lines, syntax::Encoding encoding) {
   const auto& diagnostic = finding.diagnostic;
   const bool isError = diagnostic.severity == syntax::Severity::Error;
-  return {{"range", rangeAt(text, finding.place.value_or(runtime::FilePlace{}), encoding)},
+  return {{"range", rangeAt(text, lines, finding.place.value_or(runtime::FilePlace{}), encoding)},
           {"severity",
            isError ? protocol::DiagnosticSeverity::Error : protocol::DiagnosticSeverity::Warning},
           {"code", syntax::info(diagnostic.code).id},
@@ -81,14 +81,16 @@ Json inFile(const runtime::PlatformFinding& finding, std::string_view text,
 Json platformFileDiagnostics(const ide::Snapshot& snapshot, const std::filesystem::path& file,
                              std::string_view text, const ClientFeatures& client) {
   Json result = Json::array();
-  std::set<std::pair<std::string, std::string>> seen;
+  const syntax::LineIndex lines(text);
   const auto canonical = snapshot.canonical(file);
   const auto visit = [&](const ide::View& view) {
     const auto named = analysis::namedPlatform(view.program());
     if (!named || snapshot.canonical(named->file) != canonical) return;
-    for (const auto& finding : findingsOf(snapshot, view))
-      if (seen.emplace(finding.diagnostic.message, finding.why).second)
-        result.push_back(inFile(finding, text, client.encoding));
+    for (const auto& finding : findingsOf(snapshot, view)) {
+      auto shown = inFile(finding, text, lines, client.encoding);
+      const bool isNew = std::ranges::find(result, shown) == result.end(); // not of another program
+      if (isNew) result.push_back(std::move(shown));
+    }
   };
   for (const auto& [path, open] : snapshot.open())
     if (open.kind != ide::TextKind::Notebook) snapshot.eachView(path, visit);
