@@ -92,8 +92,7 @@ void GoalDistance::index() {
     for (auto fact : rules[i].needs) users[fact].push_back(i);
     if (rules[i].needs.empty()) always.push_back(i);
     makes.add(rules[i].makes);
-    none.push_back({static_cast<std::uint32_t>(rules[i].needs.size()),
-                    rules[i].step == kNone && !rules[i].counts ? 0U : 1U});
+    none.push_back({static_cast<std::uint32_t>(rules[i].needs.size()), rules[i].length()});
   }
   for (const auto& some : users) uses.add(some);
 }
@@ -253,8 +252,7 @@ void GoalDistance::addCounting(const Way& way) {
       if (!after || *after == before || *after < cell.low || *after > cell.high) continue;
       auto needs = way.needs;
       needs.push_back(factOf(target, before));
-      addRule(std::move(needs), {factOf(target, *after)});
-      rules.back().counts = true;
+      rules.push_back({std::move(needs), {factOf(target, *after)}, kNone, true});
     }
   }
 }
@@ -364,7 +362,7 @@ template <class Each> void GoalDistance::eachOfPlan(Each each) {
 std::uint32_t GoalDistance::from(const Word* state) {
   if (!reachGoal(state)) return kFar;
   std::uint32_t length = 0;
-  eachOfPlan([&](const Rule& rule) { length += rule.step != kNone || rule.counts ? 1 : 0; });
+  eachOfPlan([&](const Rule& rule) { length += rule.length(); });
   return length;
 }
 

@@ -5,7 +5,6 @@
 #include "verify/model/system.h"
 
 #include <map>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -45,6 +44,8 @@ private:
     std::vector<FactId> makes;
     TransitionId step = kNone; ///< kNone: follows without a step
     bool counts = false;       ///< it is one of a cell's changes by an assignment that counts
+
+    [[nodiscard]] std::uint32_t length() const { return step != kNone || counts ? 1 : 0; }
   };
   /// What an estimate reads most often: a part of an array for each number.
   struct Lists {
