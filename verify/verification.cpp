@@ -172,15 +172,12 @@ bool Verification::exploreSlices(std::vector<std::size_t> which, const SearchSiz
   std::erase_if(which, [&](std::size_t i) { return answered.contains(i); });
   if (!takes(Reduction::Slices) || which.size() * whole.transitions.size() > kMostWork)
     return false;
-  const Witness witness(whole, none, provenance, limits);
   SliceSearch slices(compiled.system, whole, provenance, may(), limits, options.answers);
-  const Bits decided = slices.decide(compiled.goals, which, most, result.exploration,
-                                     [&](std::size_t i, const Evidence* evidence) {
-                                       return isShownBySlice(i, evidence, witness);
-                                     });
-  result.exploration.sliced += decided.count();
+  const bool some = isAnyDecided([&](const auto& onDecided) {
+    return slices.decide(compiled.goals, which, most, result.exploration, onDecided);
+  });
   slicesAreDone = !slices.wasCutShort();
-  return !decided.empty();
+  return some;
 }
 
 /// \return whether any of the questions was answered
@@ -188,12 +185,18 @@ bool Verification::refine(std::vector<std::size_t> which, const Refinement::Budg
   if (budget.together == 0 || !takes(Reduction::Refinement)) return false;
   std::erase_if(which, [&](std::size_t i) { return answered.contains(i); });
   if (which.empty()) return false;
-  const Witness witness(whole, none, provenance, limits);
   Refinement refinement(compiled.system, whole, provenance, may(), limits, options.answers);
-  const Bits decided = refinement.decide(compiled.goals, which, budget, result.exploration,
-                                         [&](std::size_t i, const Evidence* evidence) {
-                                           return isShownBySlice(i, evidence, witness);
-                                         });
+  return isAnyDecided([&](const auto& onDecided) {
+    return refinement.decide(compiled.goals, which, budget, result.exploration, onDecided);
+  });
+}
+
+/// \param decide asks parts of the system; it receives whom to tell the answers
+bool Verification::isAnyDecided(const auto& decide) {
+  const Witness witness(whole, none, provenance, limits);
+  const Bits decided = decide([&](std::size_t i, const Evidence* evidence) {
+    return isShownBySlice(i, evidence, witness);
+  });
   result.exploration.sliced += decided.count();
   return !decided.empty();
 }

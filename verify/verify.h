@@ -171,7 +171,7 @@ struct Options {
       Reduction::Refinement,    Reduction::Inclusion,     Reduction::Extrapolation};
   /// A system with so few classes is explored as a whole: slices are for what is larger, and so are
   /// searches that are led to one goal. Large slices and long led searches have to wait for 30
-  /// times as many.
+  /// times as many, slices that are refined for 5 times: see verify/stages.cpp.
   std::uint32_t classesBeforeSlices = 1'000;
   std::uint32_t classesOfLedSearches = 30'000; ///< in total; 0: no such searches
   Limits limits;

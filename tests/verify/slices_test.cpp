@@ -236,7 +236,7 @@ TEST_CASE("steps that two take together read no old values") {
 
 TEST_CASE("an error before a test needs no test to be true") {
   const Text model("process P (&x: 0..3, &z: 0..3) is states s, t "
-                   "from s wait [1,1]; x := x + z; on z = 0; to t "
+                   "from s x := x + z; on z = 0; to t "
                    "process Q (&z: 0..3) is states s, t from s wait [0,1]; z := 1; to t "
                    "process R is states s, t from s wait [1,1]; to t from t wait [1,2]; to s "
                    "component main is var x: 0..3 := 3, z: 0..3 := 0 "

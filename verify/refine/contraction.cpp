@@ -1,12 +1,12 @@
 #include "verify/refine/contraction.h"
 
 #include "verify/model/nodes.h"
+#include "verify/model/step_copies.h"
 #include "verify/reduce/dead_variables.h"
 #include "verify/reduce/path_facts.h"
 #include "verify/state/evaluate.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 
 namespace proskill::verify {
@@ -20,7 +20,10 @@ constexpr std::size_t kMostWaysOn = 8;
 class Contraction {
 public:
   Contraction(const System& of, const Goal& goal, LimitWatch& watch)
-      : system(of), limits(watch), relevant(findRelevant(of, {goal}, watch).cells) {
+      : system(of),
+        limits(watch),
+        relevant(findRelevant(of, {goal}, watch).cells),
+        values(of.cells.size()) {
     events = goal.events;
     addEvents(system, goal.condition, events);
     addReads(system, goal.condition, readByOthers);
@@ -33,16 +36,15 @@ public:
   }
 
   Contracted run() && {
-    Contracted made{system, {}, {}};
+    Contracted made{withoutSteps(system), {}, {}};
     for (InstanceId i = 0; i < system.instances.size(); ++i)
       if (isRemoved(i, startOf(i))) moveStart(i, made);
-    made.system.paths.clear();
-    made.system.transitions.clear();
     Nodes nodes(made.system);
+    StepCopies copies(system, made.system);
     for (TransitionId id = 0; id < system.transitions.size(); ++id) {
       limits.check();
       if (const auto* path = onlyPath(id); !path || !isRemoved(path->instance, path->location))
-        add(id, nodes, made);
+        add(id, nodes, copies, made.original);
     }
     return made;
   }
@@ -114,7 +116,6 @@ private:
 
   /// Whether a condition on the location alone is true there.
   [[nodiscard]] bool isTrueAt(NodeId condition, CellId cell, std::uint32_t location) const {
-    std::vector<std::int64_t> values(system.cells.size());
     values[cell] = location;
     return evaluateUnpacked(system, condition, values).value_or(0) != 0;
   }
@@ -144,8 +145,7 @@ private:
     for (bool changed = true; changed;) {
       changed = false;
       for (std::uint32_t at = 0; at < chosen.size(); ++at) {
-        if (!chosen[at] || (maySkip(instance, at) && waysFrom(instance, at).size() <= kMostWaysOn))
-          continue;
+        if (!chosen[at] || maySkip(instance, at)) continue;
         chosen[at] = false;
         changed = true;
       }
@@ -155,76 +155,75 @@ private:
   /// Whether it makes no difference that the instance moves on at once: it has to, or no step is
   /// ever due where it arrives.
   [[nodiscard]] bool maySkip(InstanceId instance, std::uint32_t at) const {
-    return !isNeverDueAt(instance, at) ||
-           std::ranges::all_of(waysFrom(instance, at),
-                               [&](const auto& way) { return isNeverDueAt(instance, way.first); });
+    const auto ways = waysFrom(instance, at);
+    return ways.size() <= kMostWaysOn &&
+           (!isNeverDueAt(instance, at) || std::ranges::all_of(ways, [&](const Way& way) {
+             return isNeverDueAt(instance, way.to);
+           }));
   }
 
   [[nodiscard]] bool isRemoved(InstanceId instance, std::uint32_t location) const {
     return isFree[instance][location];
   }
 
-  /// The ways from a removed location to others: for each of these, the first that is found.
-  [[nodiscard]] std::map<std::uint32_t, Steps> waysFrom(InstanceId instance,
-                                                        std::uint32_t start) const {
-    std::map<std::uint32_t, Steps> reached{{start, {}}};
+  /// Steps from a removed location to one that is kept.
+  struct Way {
+    std::uint32_t to = 0;
+    Steps steps;
+  };
+
+  /// For each location that can be reached in this way, the first way that is found.
+  [[nodiscard]] std::vector<Way> waysFrom(InstanceId instance, std::uint32_t start) const {
+    std::vector<TransitionId> by(from[instance].size(), kNone); // the step that leads there
+    std::vector<Way> ways;
     std::vector<std::uint32_t> todo{start};
     for (std::size_t i = 0; i < todo.size(); ++i) {
       limits.check();
-      if (!isRemoved(instance, todo[i])) continue;
+      if (!isRemoved(instance, todo[i])) {
+        ways.push_back({todo[i], stepsTo(todo[i], start, by)});
+        continue;
+      }
       for (auto id : from[instance][todo[i]]) {
         const auto to = *simpleTarget(*onlyPath(id));
-        Steps steps = reached[todo[i]];
-        steps.push_back(id);
-        if (reached.try_emplace(to, std::move(steps)).second) todo.push_back(to);
+        if (to == start || by[to] != kNone) continue;
+        by[to] = id;
+        todo.push_back(to);
       }
     }
-    std::erase_if(reached, [&](const auto& it) { return isRemoved(instance, it.first); });
-    return reached;
+    return ways;
+  }
+
+  [[nodiscard]] Steps stepsTo(std::uint32_t at, std::uint32_t start,
+                              const std::vector<TransitionId>& by) const {
+    Steps steps;
+    for (; at != start; at = onlyPath(by[at])->location) steps.push_back(by[at]);
+    std::ranges::reverse(steps);
+    return steps;
   }
 
   void moveStart(InstanceId instance, Contracted& made) const {
-    const auto [to, steps] = *waysFrom(instance, startOf(instance)).begin();
-    made.system.cells[system.instances[instance].location].initial = to;
-    made.before.insert(made.before.end(), steps.begin(), steps.end());
+    const Way way = waysFrom(instance, startOf(instance)).front();
+    made.system.cells[system.instances[instance].location].initial = way.to;
+    made.before.insert(made.before.end(), way.steps.begin(), way.steps.end());
   }
 
-  void add(TransitionId id, Nodes& nodes, Contracted& made) {
+  /// Adds a step, once for each way on if it leads to a removed location.
+  void add(TransitionId id, Nodes& nodes, StepCopies& copies, std::vector<Steps>& original) const {
     const Path* path = onlyPath(id);
     const auto target = path ? simpleTarget(*path) : std::nullopt;
-    if (!target || !isRemoved(path->instance, *target)) return copy(id, made);
-    const auto ways = waysFrom(path->instance, *target);
-    if (ways.empty()) return copy(id, made); // what follows never ends and does not matter
-    for (const auto& [to, steps] : ways) {
+    const bool leadsOn = target && isRemoved(path->instance, *target);
+    const auto ways = leadsOn ? waysFrom(path->instance, *target) : std::vector<Way>{};
+    for (const auto& way : ways) {
       Path longer = *path;
-      longer.code.back().last = to;
-      longer.assignments[longer.code.back().first].value = nodes.number(to);
-      Transition transition = system.transitions[id];
-      transition.parts = {static_cast<PathId>(made.system.paths.size())};
-      made.system.paths.push_back(std::move(longer));
-      Steps all{id};
-      all.insert(all.end(), steps.begin(), steps.end());
-      put(id, std::move(transition), std::move(all), made);
+      longer.code.back().last = way.to;
+      longer.assignments[longer.code.back().first].value = nodes.number(way.to);
+      copies.add(id, system.transitions[id], std::move(longer));
+      original.push_back({id});
+      original.back().insert(original.back().end(), way.steps.begin(), way.steps.end());
     }
-  }
-
-  void copy(TransitionId id, Contracted& made) {
-    Transition transition = system.transitions[id];
-    for (auto& part : transition.parts) {
-      const auto next = static_cast<PathId>(made.system.paths.size());
-      const auto [entry, isNew] = numbers.try_emplace(part, next);
-      if (isNew) made.system.paths.push_back(system.paths[part]);
-      part = entry->second;
-    }
-    put(id, std::move(transition), {id}, made);
-  }
-
-  void put(TransitionId id, Transition transition, Steps steps, Contracted& made) const {
-    const auto clock = transition.clock;
-    if (clock != kNone && system.clocks[clock].transition == id)
-      made.system.clocks[clock].transition = static_cast<TransitionId>(made.original.size());
-    made.system.transitions.push_back(std::move(transition));
-    made.original.push_back(std::move(steps));
+    if (!ways.empty()) return;
+    copies.add(id); // or what follows never ends, and does not matter
+    original.push_back({id});
   }
 
   const System& system;
@@ -232,9 +231,9 @@ private:
   Bits relevant; ///< cells
   Bits events;   ///< that the goal asks for
   Bits readByOthers;
-  std::vector<std::vector<Steps>> from;  ///< by instance and location: transitions
-  std::vector<std::vector<bool>> isFree; ///< by instance and location: whether it is removed
-  std::map<PathId, PathId> numbers;
+  std::vector<std::vector<Steps>> from;     ///< by instance and location: transitions
+  std::vector<std::vector<bool>> isFree;    ///< by instance and location: whether it is removed
+  mutable std::vector<std::int64_t> values; ///< by cell: those with which a condition is tried
 };
 
 } // namespace

@@ -54,50 +54,61 @@ Bits Refinement::decide(const std::vector<Goal>& goals, const std::vector<std::s
     if (!Slicer::canDecide(goals[i])) continue;
     const auto most = std::min(budget.together, budget.each);
     auto left = most;
-    const auto outcome = decide(goals[i], left, statistics);
+    const Asked asked{goals[i], [&](const Evidence* run) { return onDecided(i, run); }};
+    const bool isDecided = decide(asked, left, statistics) == Outcome::Decided;
     spend(most - left, budget.together);
-    if ((outcome != Outcome::Never || !onDecided(i, nullptr)) &&
-        (outcome != Outcome::Run || !onDecided(i, &run)))
-      continue;
+    if (!isDecided) continue;
     decided.insert(static_cast<std::uint32_t>(i));
     budget.together += budget.each;
   }
   return decided;
 }
 
-Refinement::Outcome Refinement::decide(const Goal& goal, std::uint64_t& left,
+Refinement::Outcome Refinement::decide(const Asked& asked, std::uint64_t& left,
                                        Exploration& statistics) {
   known = {};
   isTimed = false;
   auto outcome = Outcome::Refined;
-  while (outcome == Outcome::Refined && left > 0) {
-    const Slice slice = slicer.slice({.goals = {&goal}, .steps = {}, .loose = {}, .cells = known});
+  while (outcome == Outcome::Refined) {
     spend(split.system.transitions.size() / kTransitionsPerClass, left);
-    outcome = explore(goal, slice, left, statistics);
+    if (left == 0) return Outcome::GaveUp;
+    const Slice slice =
+        slicer.slice({.goals = {&asked.goal}, .steps = {}, .loose = {}, .cells = known});
+    outcome = explore(asked, slice, left, statistics);
   }
   return outcome;
 }
 
-Refinement::Outcome Refinement::explore(const Goal& goal, const Slice& slice, std::uint64_t& left,
+Refinement::Outcome Refinement::explore(const Asked& asked, const Slice& slice, std::uint64_t& left,
                                         Exploration& statistics) {
+  const auto& goal = asked.goal;
   const auto [part, before, original] =
       contracted(isTimed ? slice.system : withoutTime(slice.system), goal, limits);
   const auto text = store ? PartText(part).with(goal) : std::string();
-  if (store && store->isNeverIn(text)) return Outcome::Never;
+  if (store && store->isNeverIn(text)) return never(asked);
   const Prepared prepared(part, {goal}, takes, limits);
   const auto found = searchFor(goal, part, prepared, left, statistics);
   if (found.failure) return Outcome::GaveUp;
   if (!found.goals[0]) {
     if (!found.statistics.complete) return Outcome::GaveUp;
     if (store) store->keepNeverIn(text);
-    return Outcome::Never;
+    return never(asked);
   }
   const System allCells = withStateLayout(part);
   const Witness witness(allCells, prepared.reductions, provenance, limits);
   Steps steps = before;
   for (auto step : witness.tidied(goal, *found.goals[0]).steps)
     std::ranges::copy(original[step], std::back_inserter(steps));
-  return complete(goal, slice, steps);
+  const auto run = completed(slice, steps);
+  if (run) {
+    const Evidence evidence{*run, {}};
+    if (asked.onDecided(&evidence)) return Outcome::Decided;
+  }
+  return refine(slice, steps);
+}
+
+Refinement::Outcome Refinement::never(const Asked& asked) {
+  return asked.onDecided(nullptr) ? Outcome::Decided : Outcome::GaveUp;
 }
 
 /// Searches breadth-first, and if that takes long, once more with the states next to the goal
@@ -123,24 +134,22 @@ SearchResult Refinement::searchFor(const Goal& goal, const Prepared& prepared,
   return found;
 }
 
-/// Completes steps of the slice to a run of the whole, or finds out what the slice lacks.
-Refinement::Outcome Refinement::complete(const Goal& goal, const Slice& slice, const Steps& steps) {
+/// Completes steps of the slice to a run of the whole.
+std::optional<Steps> Refinement::completed(const Slice& slice, const Steps& steps) {
   const System allCells = withStateLayout(slice.system);
   const auto dating = dated(allCells, Enabling(allCells), {steps, {}}, limits);
-  if (!dating) return refine(slice, steps);
-  Slice ofWhole = slice;
-  for (auto& id : ofWhole.original) id = split.original[id];
-  auto made = wholeRun(whole, ofWhole, steps, *dating, limits);
-  if (!made) return refine(slice, steps);
-  run = {std::move(*made), {}};
-  const bool isShown = Witness(whole, {}, provenance, limits).refutation(goal, run).empty();
-  return isShown ? Outcome::Run : refine(slice, steps);
+  if (!dating) return std::nullopt;
+  Steps inWhole = slice.inWhole(steps);
+  for (auto& step : inWhole) step = split.original[step];
+  Bits planned;
+  slice.punctual().each([&](TransitionId id) { planned.insert(split.original[id]); });
+  return wholeRun(whole, inWhole, planned, *dating, limits);
 }
 
 /// \param steps a run of the slice that is none of the whole
 Refinement::Outcome Refinement::refine(const Slice& slice, const Steps& steps) {
   OmittedConditions omitted(slicer, known);
-  for (auto step : steps) omitted.follow(slice.original[step]);
+  for (auto step : slice.inWhole(steps)) omitted.follow(step);
   if (!isTimed && omitted.wanted().empty()) {
     isTimed = true;
     return Outcome::Refined;

@@ -9,6 +9,7 @@
 #include "verify/verify.h"
 
 #include <functional>
+#include <optional>
 
 namespace proskill::verify {
 
@@ -49,14 +50,18 @@ public:
 
 private:
   enum class Outcome : std::uint8_t {
-    Never,   ///< the goal is never reached
-    Run,     ///< `run` reaches it
+    Decided,
     Refined, ///< the next slice knows more
     GaveUp,
   };
+  /// What is asked, and who receives the answer.
+  struct Asked {
+    const Goal& goal;
+    std::function<bool(const Evidence*)> onDecided;
+  };
 
-  [[nodiscard]] Outcome decide(const Goal& goal, std::uint64_t& left, Exploration& statistics);
-  [[nodiscard]] Outcome explore(const Goal& goal, const Slice& slice, std::uint64_t& left,
+  [[nodiscard]] Outcome decide(const Asked& asked, std::uint64_t& left, Exploration& statistics);
+  [[nodiscard]] Outcome explore(const Asked& asked, const Slice& slice, std::uint64_t& left,
                                 Exploration& statistics);
   [[nodiscard]] SearchResult searchFor(const Goal& goal, const System& part,
                                        const Prepared& prepared, std::uint64_t& left,
@@ -64,7 +69,8 @@ private:
   [[nodiscard]] SearchResult searchFor(const Goal& goal, const Prepared& prepared,
                                        GoalDistance* distance, std::uint64_t most,
                                        std::uint64_t& left, Exploration& statistics);
-  [[nodiscard]] Outcome complete(const Goal& goal, const Slice& slice, const Steps& steps);
+  [[nodiscard]] static Outcome never(const Asked& asked);
+  [[nodiscard]] std::optional<Steps> completed(const Slice& slice, const Steps& steps);
   [[nodiscard]] Outcome refine(const Slice& slice, const Steps& steps);
   [[nodiscard]] Bits readByLate(const Slice& slice) const;
 
@@ -77,7 +83,6 @@ private:
   AnswerStore* store;
   Bits known;           ///< cells of the conditions that the next slice does not omit
   bool isTimed = false; ///< whether the next slice has clocks
-  Evidence run;         ///< of the whole
 };
 
 } // namespace proskill::verify

@@ -2,10 +2,10 @@
 
 #include "verify/model/nodes.h"
 #include "verify/model/path_summary.h"
+#include "verify/model/step_copies.h"
 #include "verify/model/value_bounds.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 
 namespace proskill::verify {
@@ -119,18 +119,20 @@ private:
 class Splitter {
 public:
   Splitter(const System& of, LimitWatch& watch)
-      : whole(of), limits(watch), made{of, {}}, nodes(made.system) {
-    made.system.paths.clear();
-    made.system.transitions.clear();
-  }
+      : whole(of),
+        limits(watch),
+        made{withoutSteps(of), {}},
+        nodes(made.system),
+        steps(whole, made.system) {}
 
   SplitSystem run() && {
     for (TransitionId id = 0; id < whole.transitions.size(); ++id) {
       limits.check();
       if (const auto ways = waysOf(id))
-        for (const auto& way : *ways) addWay(id, way);
+        for (const auto& way : *ways) steps.add(id, along(way, whole.transitions[id]), way);
       else
-        addWhole(id);
+        steps.add(id);
+      made.original.resize(made.system.transitions.size(), id);
     }
     return std::move(made);
   }
@@ -142,43 +144,21 @@ private:
     return Ways(nodes, made.system, whole.paths[transition.parts[0]]).all();
   }
 
-  void addWay(TransitionId id, const Path& way) {
-    Transition transition = whole.transitions[id];
-    transition.parts = {static_cast<PathId>(made.system.paths.size())};
+  Transition along(const Path& way, Transition transition) {
     transition.guard = nodes.both(transition.guard, way.guard);
     transition.guardReads = way.guardReads;
     addReads(made.system, transition.guard, transition.guardReads);
     transition.reads = way.reads;
     transition.writes = way.writes;
     transition.tentative = false;
-    made.system.paths.push_back(way);
-    add(id, std::move(transition));
-  }
-
-  void addWhole(TransitionId id) {
-    Transition transition = whole.transitions[id];
-    for (auto& part : transition.parts) {
-      const auto next = static_cast<PathId>(made.system.paths.size());
-      const auto [entry, isNew] = numbers.try_emplace(part, next);
-      if (isNew) made.system.paths.push_back(whole.paths[part]);
-      part = entry->second;
-    }
-    const auto clock = transition.clock;
-    if (clock != kNone && whole.clocks[clock].transition == id)
-      made.system.clocks[clock].transition = static_cast<TransitionId>(made.original.size());
-    add(id, std::move(transition));
-  }
-
-  void add(TransitionId id, Transition transition) {
-    made.system.transitions.push_back(std::move(transition));
-    made.original.push_back(id);
+    return transition;
   }
 
   const System& whole;
   LimitWatch& limits;
   SplitSystem made;
   Nodes nodes; ///< of the made system
-  std::map<PathId, PathId> numbers;
+  StepCopies steps;
 };
 
 } // namespace

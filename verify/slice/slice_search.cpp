@@ -167,11 +167,12 @@ void SliceSearch::explore(const Group& group, const std::vector<Goal>& goals,
   const Enabling enabling(allCells);
   const Prepared prepared(slice.system, own, takes, limits);
   const Witness witness(allCells, prepared.reductions, provenance, limits);
+  const Bits planned = slice.punctual();
   const auto onFound = [&](std::size_t i, const Evidence& evidence) {
     const Evidence tidied = witness.tidied(own[i], evidence);
     const auto dating = dated(allCells, enabling, tidied, limits);
     if (!dating) return;
-    const auto steps = wholeRun(whole, slice, tidied.steps, *dating, limits);
+    const auto steps = wholeRun(whole, slice.inWhole(tidied.steps), planned, *dating, limits);
     if (!steps) return;
     const Evidence run{*steps, {}};
     if (onDecided(asked[i], &run)) decided.insert(static_cast<std::uint32_t>(asked[i]));

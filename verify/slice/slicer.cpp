@@ -1,24 +1,26 @@
 #include "verify/slice/slicer.h"
 
+#include "verify/model/step_copies.h"
 #include "verify/model/value_bounds.h"
 #include "verify/reduce/path_facts.h"
 #include "verify/state/state_layout.h"
 
 #include <algorithm>
-#include <map>
 #include <ranges>
 
 namespace proskill::verify {
 
-namespace {
-
-System withoutSteps(System system) {
-  system.paths.clear();
-  system.transitions.clear();
-  return system;
+std::vector<TransitionId> Slice::inWhole(std::vector<TransitionId> steps) const {
+  for (auto& step : steps) step = original[step];
+  return steps;
 }
 
-} // namespace
+Bits Slice::punctual() const {
+  Bits found;
+  for (TransitionId i = 0; i < original.size(); ++i)
+    if (!late.contains(i)) found.insert(original[i]);
+  return found;
+}
 
 Slicer::Slicer(const System& system, LimitWatch& watch)
     : base(system),
@@ -251,11 +253,10 @@ void Slicer::needInstants(Cone& cone) const {
 /// after it has read it for the last time; so others would read an old value.
 Bits Slicer::currentFor(const Bits& moving, const Cone& cone) const {
   Bits current = cone.shared;
+  const bool isAlone = moving.count() == 1; // otherwise the reader is only one of them
   moving.each([&](InstanceId instance) {
-    if (moving.count() == 1)
-      current |= cone.own[instance];
-    else // a step that they take together: the reader is only one of them
-      current.insert(base.instances[instance].location);
+    if (isAlone) current |= cone.own[instance];
+    current.insert(base.instances[instance].location);
   });
   return current;
 }
@@ -324,21 +325,13 @@ Slice Slicer::slice(const SliceSeeds& seeds) {
   Slice made{shell, {}, {}};
   System& system = made.system;
   Nodes nodes(system);
-  std::map<PathId, PathId> numbers;
+  StepCopies steps(base, system);
   for (TransitionId id = 0; id < base.transitions.size(); ++id) {
     limits.check();
     const auto isKept = [&](PathId part) { return cone.kept.contains(part); };
     if (!std::ranges::all_of(base.transitions[id].parts, isKept)) continue;
-    Transition transition = cut(id, cone, nodes, made);
-    for (auto& part : transition.parts) {
-      const auto next = static_cast<PathId>(system.paths.size());
-      const auto [entry, isNew] = numbers.try_emplace(part, next);
-      if (isNew) system.paths.push_back(cutPath(part, cone, nodes));
-      part = entry->second;
-    }
-    if (transition.clock != kNone && base.clocks[transition.clock].transition == id)
-      system.clocks[transition.clock].transition = static_cast<TransitionId>(made.original.size());
-    system.transitions.push_back(std::move(transition));
+    steps.add(id, cut(id, cone, nodes, made),
+              [&](PathId path) { return cutPath(path, cone, nodes); });
     made.original.push_back(id);
   }
   return made;

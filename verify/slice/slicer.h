@@ -19,6 +19,10 @@ struct Slice {
   System system; ///< cells, instances, nodes and events are numbered as in the whole
   std::vector<TransitionId> original; ///< by transition: its index in the whole system
   Bits late; ///< transitions that have to happen by some date in the whole only
+
+  [[nodiscard]] std::vector<TransitionId> inWhole(std::vector<TransitionId> steps) const;
+  /// The other transitions, numbered as in the whole.
+  [[nodiscard]] Bits punctual() const;
 };
 
 /// What a slice is for.

@@ -10,11 +10,13 @@ constexpr std::size_t kMostSteps = 20'000;
 
 class Runner {
 public:
-  Runner(const System& of, const Slice& slice, std::int64_t units, LimitWatch& watch)
-      : system(of), scale(units), limits(watch), simulator(of, units), now(simulator.start()) {
-    for (std::size_t i = 0; i < slice.original.size(); ++i)
-      if (!slice.late.contains(static_cast<std::uint32_t>(i))) planned.insert(slice.original[i]);
-  }
+  Runner(const System& of, const Bits& notAdded, std::int64_t units, LimitWatch& watch)
+      : system(of),
+        planned(notAdded),
+        scale(units),
+        limits(watch),
+        simulator(of, units),
+        now(simulator.start()) {}
 
   /// Takes the step at its date, after the steps that time or the step itself waits for.
   bool take(TransitionId step, std::int64_t at) {
@@ -65,22 +67,22 @@ private:
   }
 
   const System& system;
+  const Bits& planned;
   std::int64_t scale;
   LimitWatch& limits;
   Simulator simulator;
   Concrete now;
   std::int64_t date = 0;
-  Bits planned; ///< transitions taken only where the slice's run says so
   StepLog log;
 };
 
 } // namespace
 
-std::optional<Steps> wholeRun(const System& whole, const Slice& slice, const Steps& steps,
+std::optional<Steps> wholeRun(const System& whole, const Steps& steps, const Bits& planned,
                               const Dating& dating, LimitWatch& limits) {
-  Runner runner(whole, slice, dating.scale, limits);
+  Runner runner(whole, planned, dating.scale, limits);
   for (std::size_t i = 0; i < steps.size(); ++i)
-    if (!runner.take(slice.original[steps[i]], dating.steps[i].date)) return std::nullopt;
+    if (!runner.take(steps[i], dating.steps[i].date)) return std::nullopt;
   return std::move(runner.taken);
 }
 
