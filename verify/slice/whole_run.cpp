@@ -8,6 +8,26 @@ namespace {
 
 constexpr std::size_t kMostSteps = 20'000;
 
+/// Notices that a situation comes again, soon after it does (Brent, 1980).
+class CycleDetector {
+public:
+  /// \param now after a step at `date`
+  [[nodiscard]] bool isAgain(const Concrete& now, std::int64_t date) {
+    if (date == then && now == seen) return true;
+    if (--left > 0) return false;
+    seen = now;
+    then = date;
+    left = period *= 2;
+    return false;
+  }
+
+private:
+  Concrete seen;
+  std::int64_t then = -1;
+  std::size_t period = 1;
+  std::size_t left = 1;
+};
+
 class Runner {
 public:
   Runner(const System& of, const Bits& notAdded, std::int64_t units, LimitWatch& watch)
@@ -20,10 +40,12 @@ public:
 
   /// Takes the step at its date, after the steps that time or the step itself waits for.
   bool take(TransitionId step, std::int64_t at) {
+    CycleDetector cycle;
     while (at != date || !now.since.contains(step)) {
       const auto due = nextDue(at);
       if (!due) break;
       if (planned.contains(due->step) || !takeAt(due->step, due->date)) return false;
+      if (cycle.isAgain(now, date)) return false; // so it never becomes possible
     }
     return takeAt(step, at);
   }
