@@ -97,30 +97,53 @@ private:
   void add(const analysis::Definition<syntax::Skill>& skill) {
     if (skill->isComposite()) return note({skill.file, skill->name.range}, "a composite skill");
     words.terms.in(skill.file);
-    if (skill->successes.empty()) addOutcome(skill, "success", nullptr);
-    for (const auto& outcome : skill->successes) addOutcome(skill, "success", &outcome);
-    if (outcomes == Outcomes::All)
-      for (const auto& outcome : skill->failures) addOutcome(skill, "failure", &outcome);
+    const auto bindings = bindingsOf(program, skill.node());
+    if (!bindings)
+      words.errors.push_back({placeOf(program, {skill.file, skill->name.range}),
+                              "PDDL cannot say this: " + bindings.error()});
+    else
+      for (const auto& binding : *bindings) addOutcomes(skill, binding);
+    words.terms.bind({});
   }
 
-  void addOutcome(const analysis::Definition<syntax::Skill>& skill, std::string_view status,
-                  const syntax::Outcome* outcome) {
+  void addOutcomes(const analysis::Definition<syntax::Skill>& skill, const Binding& binding) {
+    words.terms.bind(binding);
+    if (skill->successes.empty()) addOutcome(skill, binding, "success", nullptr);
+    for (const auto& outcome : skill->successes) addOutcome(skill, binding, "success", &outcome);
+    if (outcomes == Outcomes::All)
+      for (const auto& outcome : skill->failures) addOutcome(skill, binding, "failure", &outcome);
+  }
+
+  void addOutcome(const analysis::Definition<syntax::Skill>& skill, const Binding& binding,
+                  std::string_view status, const syntax::Outcome* outcome) {
     const auto tag = outcome ? outcome->tag.text : std::string_view();
     const bool isOnly = analysis::outcomesOf(skill.node()).size() == 1;
     const bool several = skill->successes.size() > 1 || outcomes == Outcomes::All;
-    const auto name =
-        words.terms.name(fmt::format("action {} {}", skill.name(), tag),
-                         several && !tag.empty() ? fmt::format("{}--{}", skill.name(), tag)
-                                                 : std::string(skill.name()));
+    const auto wish = several && !tag.empty() ? fmt::format("{}--{}", skill.name(), tag)
+                                              : std::string(skill.name());
+    std::string values;
     std::string inputs;
-    for (const auto& input : skill->inputs)
-      inputs += fmt::format(" {}:{}", input.name.text.substr(1), input.type.text);
+    for (const auto& input : skill->inputs) {
+      const auto value = binding.find(input.name.text);
+      const auto given = value == binding.end() ? "" : wordOf(value->second);
+      if (!given.empty()) values += "-" + given;
+      inputs += given.empty() ? fmt::format(" {}:{}", bare(input.name.text), input.type.text)
+                              : fmt::format(" {}={}", bare(input.name.text), given);
+    }
+    const auto name =
+        words.terms.name(fmt::format("action {} {}{}", skill.name(), tag, values), wish + values);
     actions +=
         fmt::format("\n  ; skill {} ({}{}{}){}{}\n  (:durative-action {}\n    :parameters ()\n"
                     "    :duration {}\n    :condition (and{})\n    :effect (and{}))\n",
                     skill.name(), status, tag.empty() ? "" : " ", tag, isOnly ? " only" : "",
                     inputs, name, duration(skill.node()), indented(conditions(skill.node()), 6),
                     indented(effects(skill, outcome), 6));
+  }
+
+  static std::string wordOf(const syntax::Expr& value) {
+    if (value.kind == syntax::ExprKind::Number) return syntax::toString(value.number);
+    if (value.kind == syntax::ExprKind::Symbol) return std::string(value.name.text);
+    return value.kind == syntax::ExprKind::True ? "true" : "false";
   }
 
   /// An excluded bound is included, since plans have no infinitely small differences anyway.

@@ -62,6 +62,12 @@ const syntax::StateVariable* Terms::enumeration(std::string_view called) const {
   return variable && !variable->node().isNatural() ? &variable->node() : nullptr;
 }
 
+/// The value of an input; any other expression as it is.
+const syntax::Expr& Terms::bound(const syntax::Expr& expr) const {
+  const auto found = expr.kind == Kind::Parameter ? binding.find(expr.name.text) : binding.end();
+  return found == binding.end() ? expr : found->second;
+}
+
 std::string Terms::fail(const syntax::Expr& expr, const char* what) {
   errors.push_back(
       {placeOf(program, {file, expr.range}), fmt::format("PDDL cannot say this: {}", what)});
@@ -74,7 +80,8 @@ std::string Terms::joined(const syntax::Expr& expr, const char* word) {
   return text + ")";
 }
 
-std::string Terms::number(const syntax::Expr& expr) {
+std::string Terms::number(const syntax::Expr& of) {
+  const auto& expr = bound(of);
   if (expr.kind == Kind::Number) return syntax::toString(expr.number);
   if (expr.kind == Kind::Add || expr.kind == Kind::Subtract) {
     auto text = number(expr.operands.front());
@@ -99,8 +106,8 @@ std::string Terms::comparison(const syntax::Expr& expr, const char* word) {
 }
 
 std::string Terms::equality(const syntax::Expr& expr) {
-  const auto& left = expr.operands.front();
-  const auto& right = expr.operands.back();
+  const auto& left = bound(expr.operands.front());
+  const auto& right = bound(expr.operands.back());
   if (left.kind == Kind::Access || right.kind == Kind::Access)
     return fail(expr, "a condition about a skill");
   if (left.kind == Kind::Parameter || right.kind == Kind::Parameter)
@@ -120,12 +127,13 @@ std::string Terms::equality(const syntax::Expr& expr) {
   return text + ")";
 }
 
-std::string Terms::condition(const syntax::Expr& expr) {
+std::string Terms::condition(const syntax::Expr& of) {
+  const auto& expr = bound(of);
   switch (expr.kind) {
   case Kind::True: return "(and)";
   case Kind::False: return "(or)";
   case Kind::Test: {
-    const auto& value = expr.operands.front();
+    const auto& value = bound(expr.operands.front());
     if (enumeration(expr.name.text) && value.kind == Kind::Symbol)
       return has(expr.name.text, value.name.text);
     usesNumbers = true;
@@ -184,14 +192,13 @@ std::vector<std::string> Terms::moves(std::string_view variable, std::string_vie
 std::vector<std::string> Terms::effects(const syntax::Effects& list) {
   std::vector<std::string> all;
   for (const auto& effect : list.items) {
+    const auto& value = bound(effect.value);
     const auto* variable = enumeration(effect.variable.text);
     if (!variable) {
       usesNumbers = true;
-      all.push_back(
-          fmt::format("(assign {} {})", function(effect.variable.text), number(effect.value)));
-    } else if (effect.value.kind == Kind::Symbol && hasValue(*variable, effect.value.name.text)) {
-      std::ranges::move(moves(effect.variable.text, effect.value.name.text),
-                        std::back_inserter(all));
+      all.push_back(fmt::format("(assign {} {})", function(effect.variable.text), number(value)));
+    } else if (value.kind == Kind::Symbol && hasValue(*variable, value.name.text)) {
+      std::ranges::move(moves(effect.variable.text, value.name.text), std::back_inserter(all));
     } else {
       fail(effect.value, "an effect that copies a variable");
     }
@@ -212,7 +219,7 @@ std::optional<std::vector<std::string>> Terms::making(const syntax::Expr& expr) 
   const bool isTest = expr.kind == Kind::Test;
   if (!isTest && expr.kind != Kind::Equal) return std::nullopt;
   const auto& variable = isTest ? expr.name : expr.operands.front().name;
-  const auto& value = expr.operands.back();
+  const auto& value = bound(expr.operands.back());
   const auto* known = enumeration(variable.text);
   if (!known || value.kind != Kind::Symbol || !hasValue(*known, value.name.text))
     return std::nullopt;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analysis/program/program.h"
+#include "bridge/pddl/binding.h"
 #include "bridge/text/place.h"
 
 #include <map>
@@ -22,8 +23,10 @@ public:
   std::string function(std::string_view natural);
   /// The place for errors in what follows.
   void in(analysis::FileId id) { file = id; }
+  /// The values of inputs in what follows.
+  void bind(const Binding& values) { binding = values; }
 
-  std::string condition(const syntax::Expr& expr);
+  std::string condition(const syntax::Expr& of);
   /// Effects, one per string; those of an enumeration withdraw its other values.
   std::vector<std::string> effects(const syntax::Effects& all);
   /// Effects that make a condition true, as far as it is a conjunction of values.
@@ -37,13 +40,15 @@ private:
   std::string joined(const syntax::Expr& expr, const char* word);
   std::string equality(const syntax::Expr& expr);
   std::string comparison(const syntax::Expr& expr, const char* word);
-  std::string number(const syntax::Expr& expr);
+  std::string number(const syntax::Expr& of);
   std::string fail(const syntax::Expr& expr, const char* what);
+  [[nodiscard]] const syntax::Expr& bound(const syntax::Expr& expr) const;
   [[nodiscard]] const syntax::StateVariable* enumeration(std::string_view name) const;
 
   const analysis::Program& program;
   Errors& errors;
   analysis::FileId file = 0;
+  Binding binding;
   std::map<std::string, std::string> names;
   std::set<std::string> taken;
 };

@@ -248,4 +248,28 @@ TEST_CASE("numbers, resources and failures in PDDL") {
   CHECK(contains(command({"emit", "pddl", "--goal", "(= parts 0)", path}).out, "(= (parts) 1)\n"));
 }
 
+TEST_CASE("PDDL has an action for each value of an input that a skill reads") {
+  const TemporaryDirectory directory;
+  const auto skill = [](const std::string& most) {
+    return "(defsv place :states (Dock Bed_1) :init Dock)\n(defsv load :min 0 :max " + most +
+           " :init 0)\n(defskill go :input ($to place $by load $fast float) :precondition (there "
+           "(not (place $to)) heavy (<= load $by))\n"
+           "  :action (go $to $fast) :success there (:effects (place $to)))\n";
+  };
+  const auto path = directory.write("p.proskill", skill("2"));
+  const auto out = command({"emit", "pddl", path}).out;
+  CHECK(contains(out, R"(
+  ; skill go (success there) to=Bed_1 by=2 fast:float
+  (:durative-action go-bed-1-2
+)"));
+  CHECK(contains(out, "(at start (not (place-is-bed-1)))\n      (at start (<= (load) 2))"));
+  CHECK(contains(out, "(at end (not (place-is-dock)))\n      (at end (place-is-bed-1))"));
+  CHECK(contains(out, "(:durative-action go-dock-0\n"));
+  const auto heavy = directory.write("heavy.proskill", skill("5000"));
+  const auto refused = command({"emit", "pddl", heavy});
+  CHECK(refused.exitCode == 2);
+  CHECK(contains(refused.err, "heavy.proskill:3:11: error: PDDL cannot say this: the input `by` of "
+                              "`go` does not have a short list of values"));
+}
+
 } // namespace import_command

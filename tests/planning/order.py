@@ -74,6 +74,18 @@ class Domains(unittest.TestCase):
         self.assertIn("motion-is-free", land.reads())
         self.assertIn("flight-is-inair", land.writes())
 
+    def test_values_of_inputs_are_those_of_the_call(self):
+        domain = domain_of("""(defsv place :states (Dock Bed) :init Dock)
+(defskill go :input ($to place $speed float) :action (go $to $speed) :success there (:effects (place $to)))
+""")
+        self.assertEqual(set(domain.actions), {"go-dock", "go-bed"})
+        steps = planned(("go-bed", 0, 1), ("go-dock", 1, 2))
+        block = block_of(steps, [domain.actions[each.action] for each in steps])
+        self.assertEqual(in_words(block), "go Bed, go Dock")
+        skill = skill_of(domain, "plan", block)
+        self.assertIn(":input ($go_speed float $go2_speed float)", skill)
+        self.assertIn("((go to Bed speed $go_speed)\n     (go to Dock speed $go2_speed)", skill)
+
     def test_conditions_are_those_of_the_program(self):
         term = ["and", ["flight-is-inair"], ["not", ["gps-is-lost"]]]
         self.assertEqual(self.domain.condition(term), "(and (flight InAir) (not (gps Lost)))")

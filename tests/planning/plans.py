@@ -51,6 +51,22 @@ class Plans(unittest.TestCase):
                     checked = subprocess.run([PROGRAM, *command], capture_output=True, text=True, check=False)
                     self.assertEqual(checked.returncode, 0, checked.stdout + checked.stderr)
 
+    def test_where_to_go(self):
+        """The planner chooses the values of inputs that effects read."""
+        with tempfile.TemporaryDirectory() as folder:
+            text = """(defsv place :states (Dock Bed Well) :init Dock)
+(defsv water :states (None Some) :init None)
+(defsv bed :states (Dry Wet) :init Dry)
+(defskill go :input ($to place) :time_interval [2,8] :action (go $to) :success there (:effects (place $to)))
+(defskill draw :precondition (there (place Well)) :time_interval [1,2] :action (d) :success done (:effects (water Some)))
+(defskill pour :precondition (there (and (place Bed) (water Some))) :invariant (there (:guard (place Bed)))
+  :time_interval [1,2] :action (p) :success done (:effects (bed Wet)))
+"""
+            done = plan("(and (bed Wet) (place Dock))", changed(text, folder), "--planner", "aries")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("its order: go Well, draw, go Bed, pour, go Dock", done.stderr)
+            self.assertIn("(go to Well)", done.stdout)
+
     def test_an_impossible_goal(self):
         with tempfile.TemporaryDirectory() as folder:
             text = SURVEY.read_text(encoding="utf-8").replace("(area Photographed)", "(area Unknown)")

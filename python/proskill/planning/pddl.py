@@ -25,7 +25,8 @@ class Action:
     is_only: bool = False  # the skill has no other outcome
     event: str = ""
     comes_by_itself: bool = False  # the event has `:every`
-    inputs: List[Tuple[str, str]] = field(default_factory=list)
+    inputs: List[Tuple[str, str]] = field(default_factory=list)  # name and type, for the caller to choose
+    values: List[Tuple[str, str]] = field(default_factory=list)  # of the other inputs
     start: List[Term] = field(default_factory=list)  # conditions
     overall: List[Term] = field(default_factory=list)
     effects: List[Term] = field(default_factory=list)  # of the start and of the end
@@ -120,6 +121,11 @@ class Domain:
         return text[:at] + f"\n      (at start ({atom}))\n      (over all ({atom}))" + text[at:]
 
 
+def pair(text: str, mark: str) -> Tuple[str, str]:
+    first, _, second = text.partition(mark)
+    return first, second
+
+
 def action_of(kind: str, words: str, name: str, part: List[Term]) -> Action:
     action = Action(name)
     fields: Dict[Any, Any] = dict(zip(part[2::2], part[3::2]))
@@ -133,7 +139,8 @@ def action_of(kind: str, words: str, name: str, part: List[Term]) -> Action:
     assert noted, words
     action.skill, action.status, action.tag = noted[1], noted[2], noted[3] or ""
     action.is_only = bool(noted[4])
-    action.inputs = [(each.split(":")[0], each.split(":")[1]) for each in noted[5].split()]
+    action.inputs = [pair(each, ":") for each in noted[5].split() if "=" not in each]
+    action.values = [pair(each, "=") for each in noted[5].split() if "=" in each]
     for timed in fields[":condition"][1:]:
         (action.overall if timed[0] == "over" else action.start).append(timed[2])
     action.effects = [timed[2] for timed in fields[":effect"][1:]]

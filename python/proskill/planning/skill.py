@@ -60,7 +60,7 @@ class SkillWriter:
     def arguments(self, step: Step) -> str:
         self.calls[step.action.skill] += 1
         count = self.calls[step.action.skill]
-        text = ""
+        text = "".join(f" {name} {value}" for name, value in step.action.values)
         for name, kind in step.action.inputs:
             own = f"{step.action.skill}{'' if count == 1 else count}_{name}"
             self.inputs.append(f"${own} {kind}")
@@ -79,6 +79,6 @@ def skill_of(domain: Domain, name: str, block: Block) -> str:
 def in_words(block: Block) -> str:
     """A block on one line: `a, (b | c), d`."""
     if isinstance(block, Step):
-        return block.action.event or block.action.skill
+        return block.action.event or " ".join([block.action.skill] + [value for _, value in block.action.values])
     words = [f"({in_words(part)})" if isinstance(part, Parallel) else in_words(part) for part in block.parts]
     return (", " if isinstance(block, Sequence) else " | ").join(words)
