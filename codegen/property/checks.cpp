@@ -138,14 +138,17 @@ private:
       if (!state.statement) continue;
       place = context.origins.of(actorOf(skill, thread), state.statement->range);
       const auto& statement = names.of(state.source());
-      const auto text =
-          syntax::backquoted(context.origins.excerpt(skill.file(), state.source().range));
+      const auto text = excerpt(skill, state.source());
       if (state.statement->kind == syntax::StatementKind::Call)
-        addCall(thread, state, statement, text);
+        addCall(thread, state, statement, excerpt(skill, *state.statement));
       if (pointless.contains(&state.source()) || isSkippedTest(state, reached)) continue;
       question("reachable", statement, text + " can be reached", Expectation::Reachable,
                Weight::Warning, absent(observer.state(process, state.name)));
     }
+  }
+
+  [[nodiscard]] std::string excerpt(const SkillPlan& skill, const syntax::Statement& of) const {
+    return syntax::backquoted(context.origins.excerpt(skill.file(), of.range));
   }
 
   /// The statements in arms for a refusal. `check` demands these arms, and `never_refused` asks
