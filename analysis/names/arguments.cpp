@@ -1,6 +1,9 @@
 #include "analysis/names/arguments.h"
 #include "syntax/diagnostics/codes.h"
+#include "syntax/text/quote.h"
 #include "syntax/tree/enumerate.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
@@ -100,8 +103,31 @@ Type Arguments::parameter(const syntax::Name& name) {
 }
 
 void Arguments::checkCall(const Statement& call, SymbolId callee) {
+  if (const auto* argument = unnamed(call, callee)) return suggestName(call, callee, *argument);
   checkNames(call, callee);
   checkTypes(call, callee);
+}
+
+/// The argument whose name was forgotten, if there is only one and one input is not given.
+const Argument* Arguments::unnamed(const Statement& call, SymbolId callee) const {
+  const auto& inputs = skill(callee).inputs;
+  const auto isNamed = [&](const Argument& it) { return find(inputs, it.name.text) != nullptr; };
+  const auto found = std::ranges::find_if_not(call.arguments, isNamed);
+  if (found == call.arguments.end()) return nullptr;
+  const bool isValue = found->name.text.empty() || found->value.kind == ExprKind::Missing;
+  const bool isOnly = std::all_of(std::next(found), call.arguments.end(), isNamed);
+  return isValue && isOnly && absentInputs(call, callee).size() == 1 ? &*found : nullptr;
+}
+
+void Arguments::suggestName(const Statement& call, SymbolId callee, const Argument& argument) {
+  const auto name = absentInputs(call, callee).front();
+  const Symbol& symbol = context.symbols[callee];
+  context.findings.forgetArguments({file, call.range});
+  context.findings
+      .report(Code::MissingArgument, {file, argument.range}, symbol.name, syntax::backquoted(name))
+      .related(symbol.at, "defined here")
+      .fix(fmt::format("write the name `{}` before the value", name),
+           {file, {argument.range.begin, argument.range.begin}}, fmt::format("{} ", name));
 }
 
 /// Reports unknown names of inputs. The input that was meant is then not reported as missing.
@@ -120,7 +146,8 @@ void Arguments::checkNames(const Statement& call, SymbolId callee) {
   if (complete && given.size() < skill(callee).inputs.size()) missing(call, callee);
 }
 
-void Arguments::missing(const Statement& call, SymbolId callee) {
+std::vector<std::string_view> Arguments::absentInputs(const Statement& call,
+                                                      SymbolId callee) const {
   std::vector<std::string_view> absent;
   for (const Input& input : skill(callee).inputs) {
     const auto name = withoutDollar(input.name).text;
@@ -129,6 +156,11 @@ void Arguments::missing(const Statement& call, SymbolId callee) {
     if (!given && !name.empty() && std::ranges::find(absent, name) == absent.end())
       absent.push_back(name);
   }
+  return absent;
+}
+
+void Arguments::missing(const Statement& call, SymbolId callee) {
+  const auto absent = absentInputs(call, callee);
   if (absent.empty()) return;
   const Symbol& symbol = context.symbols[callee];
   context.findings

@@ -23,8 +23,14 @@ public:
 private:
   Type number(const syntax::Expr& argument, Type wanted);
   [[nodiscard]] bool mayBeConstant(const syntax::Name& word, Type wanted) const;
+  [[nodiscard]] const syntax::Argument* unnamed(const syntax::Statement& call,
+                                                SymbolId callee) const;
+  void suggestName(const syntax::Statement& call, SymbolId callee,
+                   const syntax::Argument& argument);
   void checkNames(const syntax::Statement& call, SymbolId callee);
   void checkTypes(const syntax::Statement& call, SymbolId callee);
+  [[nodiscard]] std::vector<std::string_view> absentInputs(const syntax::Statement& call,
+                                                           SymbolId callee) const;
   void missing(const syntax::Statement& call, SymbolId callee);
   [[nodiscard]] const syntax::Skill& skill(SymbolId symbol) const;
 

@@ -181,6 +181,17 @@ void reportNoOutcome(Builder& builder, const Node& node) {
                    fmt::format("`{}` is not an outcome", builder.quoted(node)));
 }
 
+/// The clauses of an outcome without their parentheses: from their first keyword to the next tag.
+void reportBareClauses(Builder& builder, const Node& keyword, Parts& items) {
+  Range range = keyword.range;
+  while (items.peek() && items.peek()->kind != NodeKind::Outcome)
+    range.end = items.take()->range.end;
+  auto& diagnostic = builder.report(Code::MalformedOutcome, range,
+                                    "what follows the tag needs parentheses around it");
+  diagnostic.fixes.push_back(
+      {"put it in parentheses", {0, range}, fmt::format("({})", builder.textOf(range))});
+}
+
 List<Outcome> outcomesOf(Builder& builder, Field& field) {
   List<Outcome> outcomes;
   auto read = [&](const Node& node) {
@@ -201,7 +212,11 @@ List<Outcome> outcomesOf(Builder& builder, Field& field) {
       continue;
     }
     Parts items(*value);
-    while (const Node* item = items.take()) read(*item);
+    while (const Node* item = items.take())
+      if (item->kind == NodeKind::Keyword)
+        reportBareClauses(builder, *item, items);
+      else
+        read(*item);
   }
   return outcomes;
 }

@@ -1,11 +1,14 @@
 #include "tests/analysis/findings.h"
 
+#include "syntax/diagnostics/codes.h"
+
 #include <catch2/catch.hpp>
 
 using proskill::test::diagnose;
 using proskill::test::findings;
 using proskill::test::kWorld;
 using proskill::test::mission;
+namespace syntax = proskill::syntax;
 
 TEST_CASE("a call gives each input once") {
   CHECK(findings(mission("(takeoff height 3.0 duration 0)")) == "");
@@ -18,6 +21,22 @@ TEST_CASE("a call gives each input once") {
   CHECK(findings(mission("(takeoff 3.0)")) == "PS0123 3.0");
   CHECK(diagnose(mission("(takeoff)"))[0].message ==
         "the call of `takeoff` needs `height` and `duration`");
+}
+
+TEST_CASE("a value without the name of its input gets the name where only one is left") {
+  const std::string go = "(defskill go :input ($to battery $speed int) :action (go $to $speed))"
+                         "(defskill wait :input ($long nat) :action (wait $long))";
+  const auto fixed = [&](const std::string& call) {
+    const auto found = diagnose(kWorld + go + "(defskill m :body (" + call + "))");
+    REQUIRE(found.size() == 1);
+    CHECK(syntax::info(found[0].code).id == "PS0320");
+    return found[0].fixes.at(0).title;
+  };
+  CHECK(fixed("(wait 3)") == "write the name `long` before the value");
+  CHECK(fixed("(go speed 3 Low)") == "write the name `to` before the value");
+  CHECK(fixed("(go to Low 3)") == "write the name `speed` before the value");
+  CHECK(findings(kWorld + go + "(defskill m :body ((go Low)))") == "PS0123 Low, PS0208 Low");
+  CHECK(findings(kWorld + go + "(defskill m :body ((wait long)))") == "PS0123 long");
 }
 
 TEST_CASE("arguments have the types of their inputs") {

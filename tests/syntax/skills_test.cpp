@@ -93,6 +93,8 @@ TEST_CASE("malformed fields of skills are one diagnostic each") {
   CHECK(codes(":invariant (tag (:guard (a B) :effect (c D)))") == "PS0113");
   CHECK(codes(":invariant (tag ((a B)))") == "PS0115");
   CHECK(codes(":success (:effects (a B))") == "PS0124");
+  CHECK(codes(":success (done :effects (a B) :postcondition (c D))") == "PS0124");
+  CHECK(codes(":success (done :effects ((a B) (c D)) late :effects (a B))") == "PS0124 PS0124");
   CHECK(codes(":success") == "PS0114");
   CHECK(codes(":success done (:postcondition)") == "PS0114");
   CHECK(codes(":action go") == "PS0115");
