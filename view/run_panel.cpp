@@ -36,7 +36,8 @@ double seconds(runtime::Nanoseconds time) {
 
 RunPanel::RunPanel(ObservedRun of, EventFeed& news)
     : observed(std::move(of)),
-      feed(news, headOf(observed), !observed.speed, [this] { return status(); }) {}
+      feed(news, headOf(observed), observed.waits && !observed.speed, [this] { return status(); }) {
+}
 
 void RunPanel::finish(const runtime::RunResult& ended) {
   {
@@ -169,7 +170,7 @@ PanelData::Answer RunPanel::control(const OrderedJson& params) {
 
 std::string RunPanel::obey(const std::string& action, const std::string& signal) {
   const std::lock_guard lock(controls);
-  if (isOver()) return action == "close" ? end() : "the run has ended";
+  if (isOver()) return action == "close" ? close() : "the run has ended";
   if (action == "close") return "the run has not ended";
   if (!observed.whyNoControl.empty()) return observed.whyNoControl;
   if (action == "send") return send(signal);
@@ -204,6 +205,8 @@ std::string RunPanel::send(const std::string& name) {
   if (auto why = whyNotSent(index); !why.empty()) return why;
   return observed.inbox.send(index) ? "" : "too much waits to be taken by the run";
 }
+
+std::string RunPanel::close() { return observed.whyNoClose.empty() ? end() : observed.whyNoClose; }
 
 std::string RunPanel::end() {
   observed.askToEnd();

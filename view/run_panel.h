@@ -1,23 +1,10 @@
 #pragma once
 
-#include "runtime/control/pause.h"
-#include "runtime/control/signal_inbox.h"
 #include "runtime/executor/executor.h"
+#include "view/observed_run.h"
 #include "view/run_feed.h"
 
 namespace proskill::view {
-
-/// A run that pages may see, and what they may do to it. \pre the references outlive the panel
-struct ObservedRun {
-  const analysis::Program& program;
-  const runtime::Executable& executable;
-  runtime::Pause& pause;
-  runtime::SignalInbox& inbox;
-  std::optional<double> speed; ///< seconds of the run per second; nullopt: simulated time
-  std::string whyNoControl;    ///< empty: pages may influence it
-  std::string whyNoPause;      ///< empty: pages may pause it
-  std::function<void()> askToEnd;
-};
 
 /// The data of a page that shows a run while it happens, and afterwards.
 class RunPanel final : public PanelData {
@@ -53,6 +40,7 @@ private:
   std::string pauseOr(const std::string& action);
   std::string send(const std::string& signal);
   std::string end();
+  std::string close();
   [[nodiscard]] bool isOver() const;
 
   const ObservedRun observed;

@@ -1,12 +1,6 @@
 #pragma once
 
-#include "runtime/control/pause.h"
-#include "runtime/control/signal_inbox.h"
-#include "view/http_server.h"
-#include "view/panel_routes.h"
-#include "view/run_panel.h"
-
-#include <thread>
+#include "view/run_page.h"
 
 namespace proskill::cli {
 
@@ -19,7 +13,7 @@ struct LiveViewArguments {
   std::uint16_t port = 0;
 };
 
-/// The page of a run, served by threads of its own.
+/// The page of a run, and what it does to the run.
 class LiveView {
 public:
   /// What the page shows.
@@ -27,7 +21,8 @@ public:
     const analysis::Program& program;
     const runtime::Executable& executable;
     std::optional<double> speed; ///< of a real clock
-    bool isSimulation = true;    ///< the platform is simulated
+    std::string whyNoPause;      ///< empty: the page may pause it
+    runtime::Pause& pause;
     std::function<void()> askToEnd;
   };
 
@@ -36,29 +31,23 @@ public:
   open(const LiveViewArguments& arguments, Subject subject);
   LiveView(const LiveView&) = delete;
   LiveView& operator=(const LiveView&) = delete;
-  ~LiveView();
 
-  runtime::Pause pause;
-  runtime::SignalInbox inbox{pause.wakeUp};
+  runtime::SignalInbox inbox;
 
   /// Whether a run in which nothing can happen waits for what the page sends.
   [[nodiscard]] bool waitsForPage() const;
-  [[nodiscard]] std::unique_ptr<runtime::Observer> observer();
+  [[nodiscard]] std::unique_ptr<runtime::Observer> observer() { return page->observer(); }
   /// The run has ended: the page shows it until this is destroyed.
-  void finish(const runtime::RunResult& result) { panel.finish(result); }
-  [[nodiscard]] std::string url() const { return address.url(); }
+  void finish(const runtime::RunResult& result) { page->finish(result); }
+  [[nodiscard]] std::string url() const { return page->url(); }
 
 private:
-  LiveView(const LiveViewArguments& arguments, Subject of,
-           std::unique_ptr<view::HttpServer> listening);
+  LiveView(const Subject& subject, bool hasControls)
+      : inbox(subject.pause.wakeUp), isReal(subject.speed), hasControls(hasControls) {}
 
-  const Subject subject;
+  const bool isReal;
   const bool hasControls;
-  view::EventFeed news;
-  view::RunPanel panel;
-  std::unique_ptr<view::HttpServer> server;
-  view::PanelAddress address;
-  std::jthread serving; ///< the last member, since it uses the others
+  std::unique_ptr<view::RunPage> page; ///< the last member, since it uses the others
 };
 
 } // namespace proskill::cli

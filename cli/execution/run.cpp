@@ -227,11 +227,19 @@ private:
   int runShown(runtime::Platform& platform, std::unique_ptr<runtime::Clock> clock,
                std::optional<double> factor) {
     if (arguments.groot.isOn) openMonitor(factor.has_value());
+    if (isPausable()) clock = pausableClock(std::move(clock), pause);
     if (!arguments.view.isOn) return runOn(platform, *clock, factor);
     const auto shown = openView(factor);
-    clock = pausableClock(std::move(clock), shown->pause);
     const auto controlled = withInbox(platform, shown->inbox, shown->waitsForPage());
     return runOn(*controlled, *clock, factor, shown.get());
+  }
+
+  /// Whether a page may pause the run, or wakes it.
+  [[nodiscard]] bool isPausable() const { return arguments.view.isOn; }
+
+  /// A robot cannot be stopped in the middle of a movement, as a simulation can.
+  [[nodiscard]] std::string whyNoPause() const {
+    return isSimulation ? "" : "only simulations can be paused: the robot would go on";
   }
 
   void openMonitor(bool isReal) {
@@ -244,13 +252,14 @@ private:
     std::cerr << "viewers of behavior trees can connect to port " << monitor->port() << std::endl;
   }
 
-  [[nodiscard]] std::unique_ptr<LiveView> openView(std::optional<double> factor) const {
+  [[nodiscard]] std::unique_ptr<LiveView> openView(std::optional<double> factor) {
     auto view = arguments.view;
     view.noControls = view.noControls || (arguments.isRealtime && !view.controls);
     auto shown = LiveView::open(view, {.program = program,
                                        .executable = *executable,
                                        .speed = factor,
-                                       .isSimulation = isSimulation,
+                                       .whyNoPause = whyNoPause(),
+                                       .pause = pause,
                                        .askToEnd = [] { askToStop(SIGINT); }});
     if (!shown) throw Failed{fail(shown.error())};
     return std::move(*shown);
@@ -273,7 +282,7 @@ private:
                                 .until = arguments.until,
                                 .stopRequests = &stopRequests,
                                 .stopDescriptor = stopDescriptor,
-                                .pause = shown ? &shown->pause : nullptr};
+                                .pause = isPausable() ? &pause : nullptr};
     if (!options.until && !factor)
       options.until = executable->mission == verify::kNone ? 60 * runtime::kSecond
                                                            : 24 * 3600 * runtime::kSecond;
@@ -342,7 +351,8 @@ private:
   std::optional<analysis::Location> named;
   std::unique_ptr<const runtime::Executable> executable;
   bool isSimulation = false;
-  bool lacksRecording = false;             ///< the one that `--record` names is not complete
+  bool lacksRecording = false; ///< the one that `--record` names is not complete
+  runtime::Pause pause;
   std::unique_ptr<groot::Monitor> monitor; ///< the last member, since it uses the others
 };
 
