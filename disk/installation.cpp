@@ -49,6 +49,16 @@ fs::path proskillOfLibrary() {
   return {};
 }
 
+fs::path viewLibrary() {
+  const auto folder = thisLibrary().parent_path();
+  std::error_code error;
+  for (const char* place : {"proskill", "", "../lib"})
+    if (auto found = (folder / place / "libproskill_view.so").lexically_normal();
+        fs::exists(found, error))
+      return found;
+  return {};
+}
+
 std::vector<std::string> pythonPackage(const fs::path& folder, const std::string& part) {
   std::error_code error;
   for (const char* place : {"../lib/python3/dist-packages", "../../python"}) {

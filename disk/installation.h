@@ -14,6 +14,10 @@ namespace proskill::disk {
 /// both were installed or built, or on the PATH. Empty if there is none.
 [[nodiscard]] std::filesystem::path proskillOfLibrary();
 
+/// The shared library that shows runs, `libproskill_view.so`, for a library or a program that
+/// contains this code. Empty if it was not installed or built with it.
+[[nodiscard]] std::filesystem::path viewLibrary();
+
 /// The arguments with which Python starts a part of the package `proskill`, such as `ros1`: the
 /// folder that belongs to the program, installed with it or in the tree in which it was built, or
 /// else `-m proskill.ros1`.

@@ -97,6 +97,15 @@ proskill_error proskill_executor_record(proskill_executor* executor, const char*
   });
 }
 
+proskill_error proskill_executor_serve_view(proskill_executor* executor,
+                                            const proskill_view_options* options) {
+  return exclusive(executor, [&] { return executor->serveView(options); });
+}
+
+const char* proskill_executor_view_address(const proskill_executor* executor) {
+  return executor ? executor->viewAddress().c_str() : "";
+}
+
 proskill_error proskill_executor_start(proskill_executor* executor) {
   return exclusive(executor, [&] { return executor->start(); });
 }

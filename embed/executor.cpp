@@ -96,14 +96,48 @@ Done proskill_executor::record(const char* path) {
   return {};
 }
 
+Done proskill_executor::serveView(const proskill_view_options* options) {
+  if (auto done = notStarted(); !done) return done;
+  if (live)
+    return failed(PROSKILL_WRONG_ORDER, fmt::format("the run is shown at {}", live->address()));
+  auto made = embed::LiveView::open(
+      {.program = *program,
+       .executable = *executable,
+       .speed = settings.isReal ? std::optional(settings.speed) : std::nullopt,
+       .askToEnd = [this] { stop(); }},
+      options);
+  if (!made) return std::unexpected(std::move(made.error()));
+  live = std::move(*made);
+  return {};
+}
+
+const std::string& proskill_executor::viewAddress() const {
+  static const std::string none;
+  return live ? live->address() : none;
+}
+
 Done proskill_executor::start() {
   if (auto done = notStarted(); !done) return done;
   if (auto done = openPlatform(); !done) return done;
-  execution = std::make_unique<Execution>(*executable, *clock, shared, audience, settings.run);
+  execution = std::make_unique<Execution>(*executable, *clock, controlledPlatform(), audience,
+                                          settings.run);
   beginRecording();
   execution->start();
+  if (live) live->started();
   hasStarted = true;
   return {};
+}
+
+/// The platform, and what the page sends if there is one.
+runtime::Platform& proskill_executor::controlledPlatform() {
+  if (!live) return shared;
+  shared.addDescriptor(live->wakeUp().descriptor());
+  audience.add(live->observer());
+  if (!settings.isReal) {
+    clock = live->pausable(std::move(clock));
+    settings.run.pause = &live->pause();
+  }
+  return live->control(shared);
 }
 
 void proskill_executor::beginRecording() {
@@ -120,6 +154,7 @@ void proskill_executor::beginRecording() {
 void proskill_executor::endRun() {
   hasEnded = true;
   if (recording) recording->finish();
+  if (live) live->finish(execution->result());
 }
 
 /// Makes sure that somebody performs each action.
@@ -150,6 +185,7 @@ Done proskill_executor::proceed() {
   if (!hasStarted) return failed(PROSKILL_WRONG_ORDER, "the run has not started");
   if (hasEnded) return failed(PROSKILL_WRONG_ORDER, "the run has ended");
   platform->wakeUp.acknowledge();
+  if (live) live->wakeUp().acknowledge();
   if (!doWhatIsDue() && jump()) doWhatIsDue();
   if (auto trouble = entries.takeTrouble(); !trouble.empty())
     return failed(PROSKILL_SYSTEM_ERROR, std::move(trouble));
@@ -169,6 +205,7 @@ bool proskill_executor::doWhatIsDue() {
 /// Moves simulated time to what comes next. \return false if there is nothing to move to
 bool proskill_executor::jump() {
   if (settings.isReal || hasEnded || !execution->wakeDate()) return false;
+  if (live && !live->pause().admits()) return false; // the clock would wait for the page
   clock->wait(execution->wakeDate(), {});
   return true;
 }

@@ -3,6 +3,7 @@
 #include "embed/audience.h"
 #include "embed/entries.h"
 #include "embed/function_platform.h"
+#include "embed/live_view.h"
 #include "embed/named_platform.h"
 #include "embed/shared_platform.h"
 #include "record/run_recording.h"
@@ -30,6 +31,8 @@ public:
   Done observe(proskill_observer observer, void* data);
   /// \param file of a new recording
   Done record(const char* file);
+  /// \param options null: the default
+  Done serveView(const proskill_view_options* options);
   Done start();
   /// Does what is due. \pre `exclusively`
   Done proceed();
@@ -48,6 +51,8 @@ public:
   [[nodiscard]] Nanoseconds date() const { return execution ? execution->now() : 0; }
   /// Why the recording ended early; empty if it did not.
   [[nodiscard]] const std::string& recordingError() const { return lacking; }
+  /// Empty: there is no page.
+  [[nodiscard]] const std::string& viewAddress() const;
   [[nodiscard]] std::uint64_t steps() const;
   [[nodiscard]] std::uint64_t faults() const;
   /// The text lives until the next call.
@@ -77,6 +82,7 @@ private:
   [[nodiscard]] static std::expected<Settings, Failure> settingsOf(const proskill_options& options);
   [[nodiscard]] Done notStarted() const;
   Done openPlatform();
+  [[nodiscard]] proskill::runtime::Platform& controlledPlatform();
   void beginRecording();
   void endRun();
   bool doWhatIsDue();
@@ -99,6 +105,7 @@ private:
   std::optional<proskill::disk::GrowingFile> file; ///< of the recording, before the start
   std::string lacking;
   std::unique_ptr<proskill::record::RunRecording> recording; ///< may be null
+  std::unique_ptr<proskill::embed::LiveView> live;           ///< may be null
   proskill::embed::Audience audience{entries};
   std::unique_ptr<proskill::runtime::Execution> execution; ///< null before the start
   std::string shown;                                       ///< the value that was asked for last

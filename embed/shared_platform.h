@@ -16,6 +16,8 @@ public:
 
   /// Lets a platform perform what no function performs.
   void add(std::unique_ptr<runtime::Platform> platform);
+  /// Also reports what this descriptor announces, until the end of the run.
+  void addDescriptor(int other) { watch.add(other); }
   /// Is readable when there is a report, before and after a platform is added.
   [[nodiscard]] int descriptor() const { return watch.get(); }
 

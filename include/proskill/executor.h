@@ -148,6 +148,29 @@ proskill_error proskill_executor_record(proskill_executor* executor, const char*
    not. The run goes on, and the observer gets a note. Valid as long as the executor. */
 const char* proskill_executor_recording_error(const proskill_executor* executor);
 
+typedef struct proskill_view_options {
+  size_t size;      /* of this struct */
+  uint16_t port;    /* on the loopback interface; 0: any free port */
+  bool no_controls; /* the page only shows the run */
+  bool paused;      /* simulated time: the run begins paused, until the page continues it */
+} proskill_view_options;
+
+/* Initial value of options. */
+#define PROSKILL_VIEW_OPTIONS                                                                      \
+  { sizeof(proskill_view_options), 0, false, false }
+
+/* Serves a page that shows the run while it happens, as `proskill run --view` does, and afterwards
+   until the executor is freed. Before the start. Threads of the library serve it; no step waits for
+   them. The page can send events and interrupts, and end the run; in simulated time, pause it.
+   Requires libproskill_view.so, which is installed with the library, and Graphviz.
+   \param options NULL: PROSKILL_VIEW_OPTIONS */
+proskill_error proskill_executor_serve_view(proskill_executor* executor,
+                                            const proskill_view_options* options);
+
+/* The address of the page, with a token: http://127.0.0.1:PORT/TOKEN/. Whoever knows it may control
+   the run. "" if there is no page. Valid as long as the executor. */
+const char* proskill_executor_view_address(const proskill_executor* executor);
+
 /* --- The run */
 
 /* Starts the platform, if there is one, and waits until it is ready; then the clock of the run.

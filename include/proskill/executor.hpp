@@ -51,6 +51,11 @@ inline proskill_options defaultOptions() {
   return options;
 }
 
+inline proskill_view_options defaultViewOptions() {
+  const proskill_view_options options = PROSKILL_VIEW_OPTIONS;
+  return options;
+}
+
 /* A start of an action. Copies may be used in any thread, as long as the executor exists. */
 class Start {
 public:
@@ -129,6 +134,14 @@ public:
   void record(const std::string& file) { check(proskill_executor_record(get(), file.c_str())); }
   /* Why the recording has ended before the run; empty if it has not. */
   std::string recordingError() const { return proskill_executor_recording_error(get()); }
+
+  /* Serves a page that shows the run. Returns its address. */
+  std::string serveView(const proskill_view_options& options = defaultViewOptions()) {
+    check(proskill_executor_serve_view(get(), &options));
+    return viewAddress();
+  }
+  /* "" if there is no page. */
+  std::string viewAddress() const { return proskill_executor_view_address(get()); }
 
   void start() { check(proskill_executor_start(get())); }
   void proceed() { finished(proskill_executor_proceed(get())); }

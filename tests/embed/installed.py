@@ -3,6 +3,7 @@
 usage: installed.py BUILD_DIRECTORY
 """
 
+import json
 import os
 import pathlib
 import re
@@ -12,6 +13,8 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import urllib.error
+import urllib.request
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUILD = pathlib.Path(sys.argv[1])
@@ -114,6 +117,29 @@ int main(int count, char** words) {
   executor.run();
   std::cout << executor.outcome() << ':' << executor.recordingError() << '\n';
 }
+"""
+SHOWS = r"""
+#include <proskill/executor.hpp>
+#include <iostream>
+
+/* Waits for the event at the door, and then for its input to end. */
+int main(int, char** words) {
+  try {
+    const proskill::Program program(words[1]);
+    proskill::Executor executor(program);
+    std::cout << executor.serveView() << std::endl;
+    executor.run();
+    std::cout << executor.outcome() << std::endl;
+    std::cin.get();
+  } catch (const proskill::Error& error) {
+    std::cout << error.code() << ": " << error.what() << std::endl;
+  }
+}
+"""
+DOOR = """
+(defsv door :states (Closed Open) :init Closed :transitions :all)
+(defevent opens :effects (door Open))
+(defskill mission :success done :body ((^ (door Open)) (success done)))
 """
 FLIES = """
 (defplatform "sky.json")
@@ -288,6 +314,45 @@ class Installed(unittest.TestCase):
         process.wait()
         told = succeed(self.prefix / "bin/proskill", "conform", recording, mission)
         self.assertRegex(told, r"the run conforms to the model: \d\d+ steps")
+
+    def ask(self, address, method, **params):
+        request = urllib.request.Request(f"{address}api/{method}", json.dumps(params).encode(), {"Content-Type": "application/json"})
+        with urllib.request.urlopen(request, timeout=60) as answer:
+            return json.load(answer)["result"]
+
+    def test_a_page_shows_and_controls_a_run(self):
+        mission = self.home / "door.proskill"
+        mission.write_text(DOOR)
+        source = self.home / "shows.cpp"
+        source.write_text(SHOWS)
+        program, environment = self.compile("c++", "-std=c++11", source)
+        process = subprocess.Popen([program, mission], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=environment)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        self.addCleanup(process.stdout.close)
+        self.addCleanup(process.stdin.close)
+        address = process.stdout.readline().strip()
+        self.assertRegex(address, r"^http://127\.0\.0\.1:\d+/[0-9a-f]{32}/$")
+        with urllib.request.urlopen(address, timeout=60) as page:
+            self.assertIn(b"panel.js", page.read())
+        self.assertIn("<svg", json.dumps(self.ask(address, "picture", kind="body", name="mission")))
+        self.assertEqual([it["name"] for it in self.ask(address, "hello")["run"]["signals"]], ["opens"])
+        self.ask(address, "control", do="send", signal="opens")
+        self.assertEqual(process.stdout.readline(), "success\n")
+        self.assertEqual(self.ask(address, "hello")["run"]["status"]["state"], "ended")
+        process.stdin.close()
+        self.assertEqual(process.wait(60), 0)
+        with self.assertRaises(urllib.error.URLError):
+            urllib.request.urlopen(address, timeout=60)
+        # a library without the one that shows runs, and with one of another build
+        alone = self.home / "without_view"
+        alone.mkdir()
+        shutil.copy(self.library, alone)
+        environment = {"LD_LIBRARY_PATH": str(alone)}
+        self.assertEqual(succeed(program, mission, env=environment),
+                         "7: libproskill_view.so, which shows runs, is not beside libproskill.so\n")
+        (alone / "libproskill_view.so").write_text("not a library")
+        self.assertIn(f"7: cannot load {alone}/libproskill_view.so: ", succeed(program, mission, env=environment))
 
     def test_the_library_exports_what_the_header_declares(self):
         header = (self.prefix / "include/proskill/executor.h").read_text()
