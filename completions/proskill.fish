@@ -122,7 +122,7 @@ complete -c proskill -n '__fish_seen_subcommand_from run' -l port -d 'With --vie
 complete -c proskill -n '__fish_seen_subcommand_from run' -l groot -d 'Let Groot2 and other viewers of behavior trees watch the run, and afterwards until Ctrl-C; composite skills are shown as trees'
 complete -c proskill -n '__fish_seen_subcommand_from run' -l groot-port -d 'With --groot: port of requests on the loopback interface, the next one is for messages (default 1667; 0: any free ones)' -x
 complete -c proskill -n '__fish_seen_subcommand_from run' -l realtime -d 'Lock the memory and ask for SCHED_FIFO; report what is refused'
-complete -c proskill -n '__fish_seen_subcommand_from run' -l controls -d 'With --view and --realtime: pages may influence the run all the same'
+complete -c proskill -n '__fish_seen_subcommand_from run' -l controls -d 'With --realtime: pages of --view and viewers of --groot may influence the run all the same'
 complete -c proskill -n '__fish_seen_subcommand_from run' -l color -d 'Colours; auto: on a terminal where NO_COLOR is not set (default auto)' -x -a 'auto always never'
 complete -c proskill -n '__fish_seen_subcommand_from run' -ka '(__fish_complete_suffix .proskill)'
 complete -c proskill -n '__fish_seen_subcommand_from run' -ka '(__fish_complete_suffix .fcr)'

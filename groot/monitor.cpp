@@ -25,7 +25,7 @@ public:
   explicit Steps(Monitor& of) : monitor(of) {}
   void onStep(const runtime::Machine& machine, verify::TransitionId, runtime::Nanoseconds,
               runtime::Nanoseconds) override {
-    monitor.push(machine.state());
+    monitor.follow(machine);
   }
   void onRemark(const runtime::Remark&) override {}
 
@@ -36,11 +36,14 @@ private:
 } // namespace
 
 Monitor::Monitor(Tree of, const runtime::Executable& executable, std::unique_ptr<Sockets> at,
-                 bool mayWait)
+                 bool mayWait, Influence influence)
     : tree(std::move(of)),
       waits(mayWait),
       sockets(std::move(at)),
-      protocol(tree, executable, randomTreeId()),
+      breakpoints(tree, executable, influence.pause),
+      hooks(tree.size(), breakpoints, std::move(influence.whyNot),
+            [this](Uid uid) { sockets->publish(Protocol::stopMessage(uid, ++stops)); }),
+      protocol(tree, executable, hooks, randomTreeId()),
       queue(kQueued),
       thread([this] { serve(); }) {}
 
@@ -51,6 +54,11 @@ Monitor::~Monitor() {
 }
 
 std::unique_ptr<runtime::Observer> Monitor::observer() { return std::make_unique<Steps>(*this); }
+
+void Monitor::follow(const runtime::Machine& machine) {
+  breakpoints.follow(machine);
+  push(machine.state());
+}
 
 void Monitor::push(const std::vector<verify::Word>& state) {
   const std::string_view bytes(reinterpret_cast<const char*>(state.data()),
@@ -65,9 +73,11 @@ void Monitor::push(const std::vector<verify::Word>& state) {
 void Monitor::serve() {
   while (!isOver) {
     const bool isBehind = takeSome();
+    hooks.followRun();
+    hooks.notice(now<steady_clock>());
     isAsleep = !isBehind;
     const bool mustWait = !isBehind && queue.used() == 0 && !isOver;
-    sockets->wait(bell.descriptor(), mustWait ? -1 : 0);
+    sockets->wait(bell.descriptor(), mustWait ? longestWait() : 0);
     isAsleep = false;
     bell.acknowledge();
     const auto request = sockets->receive();
@@ -75,6 +85,12 @@ void Monitor::serve() {
     takeSome();
     sockets->reply(protocol.answer(*request, now<steady_clock>(), now<system_clock>()));
   }
+}
+
+/// In milliseconds; -1: without limit.
+long Monitor::longestWait() const {
+  const auto left = hooks.nextNotice(now<steady_clock>());
+  return left ? static_cast<long>(*left / 1000 + 1) : -1;
 }
 
 /// \return whether there may be more

@@ -50,9 +50,10 @@ TreeId randomTreeId() {
   return id;
 }
 
-Protocol::Protocol(const Tree& of, const runtime::Executable& by, TreeId as)
+Protocol::Protocol(const Tree& of, const runtime::Executable& by, Hooks& with, TreeId as)
     : tree(of),
       executable(by),
+      hooks(with),
       id(as),
       xml(xmlOf(of)),
       state(verify::initialState(by.system)),
@@ -75,6 +76,7 @@ void Protocol::record(Uid uid, Status status) {
 
 Parts Protocol::answer(const Parts& request, std::uint64_t time, std::uint64_t date) {
   if (request.empty() || request.front().size() != kHead) return error("wrong request header");
+  hooks.hear(time);
   Parts reply{request.front()};
   reply.front()[0] = kProtocol;
   reply.front().append(id.begin(), id.end());
@@ -89,14 +91,35 @@ Parts Protocol::answer(const Parts& request, std::uint64_t time, std::uint64_t d
     if (!hasText) return error("must be 2 parts message");
     return toggleRecording(std::move(reply), request[1], time, date);
   case 't': return recorded(std::move(reply));
-  case 'D': reply.emplace_back("[]"); return reply; // there are no breakpoints
+  case 'D':
   case 'A':
-  case 'X': return reply;
+  case 'X':
   case 'I':
   case 'R':
-  case 'U': return error("breakpoints are not supported: a run is paused in the page of `--view`");
+  case 'U': return answerOnHooks(request, std::move(reply));
   default: return error("Request not recognized");
   }
+}
+
+/// Requests about breakpoints.
+Parts Protocol::answerOnHooks(const Parts& request, Parts reply) {
+  const auto letter = request.front()[1];
+  if (letter == 'D') reply.push_back(hooks.dump());
+  if (letter == 'A') hooks.removeAll();
+  if (letter == 'X') hooks.disableAll();
+  if (letter == 'D' || letter == 'A' || letter == 'X') return reply;
+  if (request.size() != 2) return error("must be 2 parts message");
+  const auto& text = request[1];
+  const auto why = letter == 'I'   ? hooks.insert(text)
+                   : letter == 'R' ? hooks.remove(text)
+                                   : hooks.unlock(text);
+  return why.empty() ? reply : error(why);
+}
+
+Parts Protocol::stopMessage(Uid uid, std::uint32_t number) {
+  std::string head{kProtocol, 'N'};
+  addBytes(head, number, 4);
+  return {std::move(head), std::to_string(uid)};
 }
 
 Parts Protocol::statusReply(Parts reply) const {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "groot/statuses.h"
+#include "groot/hooks.h"
 
 #include <array>
 #include <deque>
@@ -28,13 +28,16 @@ struct Moment {
 /// The reply repeats the head and adds the tree's id; an error has the parts `error` and a message.
 class Protocol {
 public:
-  /// \pre the tree and the executable outlive this
-  Protocol(const Tree& tree, const runtime::Executable& executable, TreeId id);
+  /// \pre the tree, the executable and the hooks outlive this
+  Protocol(const Tree& tree, const runtime::Executable& executable, Hooks& hooks, TreeId id);
 
   /// The run is in this state.
   void follow(const verify::Word* state, Moment moment);
   /// \param time as in a moment \param date in microseconds since 1970
   [[nodiscard]] Parts answer(const Parts& request, std::uint64_t time, std::uint64_t date);
+
+  /// The message to subscribers that the run has stopped at a breakpoint.
+  [[nodiscard]] static Parts stopMessage(Uid uid, std::uint32_t number);
 
 private:
   /// A change of a status in a recording.
@@ -45,6 +48,7 @@ private:
   };
 
   void record(Uid uid, Status status);
+  [[nodiscard]] Parts answerOnHooks(const Parts& request, Parts reply);
   [[nodiscard]] Parts statusReply(Parts reply) const;
   [[nodiscard]] Parts blackboards(Parts reply, std::string_view names) const;
   [[nodiscard]] Parts toggleRecording(Parts reply, std::string_view word, std::uint64_t time,
@@ -53,6 +57,7 @@ private:
 
   const Tree& tree;
   const runtime::Executable& executable;
+  Hooks& hooks;
   const TreeId id;
   const std::string xml;
   std::vector<verify::Word> state;

@@ -121,13 +121,16 @@ public:
     return parts;
   }
 
-  void reply(const std::vector<std::string>& parts) override {
+  void reply(const std::vector<std::string>& parts) override { sendAll(server, parts); }
+  void publish(const std::vector<std::string>& parts) override { sendAll(publisher, parts); }
+
+private:
+  void sendAll(void* to, const std::vector<std::string>& parts) {
     for (std::size_t i = 0; i < parts.size(); ++i)
-      zmq.send(server, parts[i].data(), parts[i].size(),
+      zmq.send(to, parts[i].data(), parts[i].size(),
                kDontWait | (i + 1 < parts.size() ? kSndMore : 0));
   }
 
-private:
   bool bindBoth(std::uint16_t port) {
     server = socket(kRep);
     publisher = socket(kPub);

@@ -29,6 +29,8 @@ public:
   /// The parts of the next request, if there is one. It must be answered before the next one.
   [[nodiscard]] virtual std::optional<std::vector<std::string>> receive() = 0;
   virtual void reply(const std::vector<std::string>& parts) = 0;
+  /// Sends a message to those that have subscribed; without waiting for them.
+  virtual void publish(const std::vector<std::string>& parts) = 0;
 };
 
 } // namespace proskill::groot

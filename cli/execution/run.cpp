@@ -234,12 +234,21 @@ private:
     return runOn(*controlled, *clock, factor, shown.get());
   }
 
-  /// Whether a page may pause the run, or wakes it.
-  [[nodiscard]] bool isPausable() const { return arguments.view.isOn; }
+  /// Whether a page or a viewer may pause the run, or wakes it.
+  [[nodiscard]] bool isPausable() const {
+    return arguments.view.isOn || (arguments.groot.isOn && isSimulation);
+  }
 
   /// A robot cannot be stopped in the middle of a movement, as a simulation can.
   [[nodiscard]] std::string whyNoPause() const {
     return isSimulation ? "" : "only simulations can be paused: the robot would go on";
+  }
+
+  [[nodiscard]] groot::Influence influence() {
+    if (!isSimulation) return {.whyNot = whyNoPause()};
+    if (arguments.isRealtime && !arguments.view.controls)
+      return {.whyNot = "`--realtime`: viewers cannot pause the run without `--controls`"};
+    return {.pause = &pause};
   }
 
   void openMonitor(bool isReal) {
@@ -248,7 +257,7 @@ private:
     auto sockets = groot::Sockets::open(arguments.groot.port);
     if (!sockets) throw Failed{fail("`--groot` is not possible: " + sockets.error())};
     monitor = std::make_unique<groot::Monitor>(std::move(*tree), *executable, std::move(*sockets),
-                                               !isReal);
+                                               !isReal, influence());
     std::cerr << "viewers of behavior trees can connect to port " << monitor->port() << std::endl;
   }
 

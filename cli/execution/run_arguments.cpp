@@ -126,8 +126,10 @@ void addRunOptions(CLI::App& command, RunArguments& arguments) {
   show(command.add_flag("--realtime", arguments.isRealtime,
                         "Lock the memory and ask for SCHED_FIFO; report what is refused"),
        group::kAdvanced);
-  show(command.add_flag("--controls", arguments.view.controls,
-                        "With --view and --realtime: pages may influence the run all the same"),
+  show(command.add_flag(
+           "--controls", arguments.view.controls,
+           "With --realtime: pages of --view and viewers of --groot may influence the run all "
+           "the same"),
        group::kAdvanced);
   addColour(command, arguments.colour);
 }

@@ -26,6 +26,8 @@ public:
     answered.release();
   }
 
+  void publish(const Parts&) override {}
+
   /// The test's.
   std::string ask() {
     turn.release();
@@ -62,7 +64,7 @@ TEST_CASE("in real time a full queue skips states, and with the next one statuse
       (while true (// ((look)) ((^ 1))) (if (= fly.status success) (look) else (^ 2))))))");
   auto made = std::make_unique<Viewer>();
   auto& viewer = *made;
-  groot::Monitor monitor(it.tree, *it.executable, std::move(made), false);
+  groot::Monitor monitor(it.tree, *it.executable, std::move(made), false, {});
   std::vector<verify::Word> last;
   std::set<std::size_t> expected;
   std::size_t steps = 0;

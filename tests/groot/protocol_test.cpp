@@ -26,7 +26,11 @@ std::string head(char letter) { return std::string("\2") + letter + "\x78\x56\x3
 
 /// Requests to a run that has ended.
 struct Answering {
-  explicit Answering(const std::string& text) : it(text), protocol(it.tree, *it.executable, kId) {}
+  explicit Answering(const std::string& text)
+      : it(text),
+        breakpoints(it.tree, *it.executable, &pause),
+        hooks(it.tree.size(), breakpoints, "", [](groot::Uid) {}),
+        protocol(it.tree, *it.executable, hooks, kId) {}
   void run() {
     std::uint64_t time = 1'000;
     it.run([&](const auto&, auto, const auto& state) {
@@ -36,6 +40,9 @@ struct Answering {
   Parts ask(const Parts& parts) { return protocol.answer(parts, 1'000, 77); }
 
   WatchedRun it;
+  runtime::Pause pause;
+  groot::Breakpoints breakpoints;
+  groot::Hooks hooks;
   groot::Protocol protocol;
 };
 
@@ -93,16 +100,27 @@ TEST_CASE("a recording keeps the last 1000 changes") {
   CHECK(changes.substr(0, 6) != std::string("\1\0\0\0\0\0", 6));
 }
 
-TEST_CASE("there are no breakpoints: to clear them is allowed, to set them is an error") {
+TEST_CASE("breakpoints are set, listed, disabled and removed by requests") {
   Answering of(kMission);
-  CHECK(of.ask({head('D')})[1] == "[]");
-  CHECK(of.ask({head('A')}).size() == 1);
+  const std::string text = R"({"uid":2,"position":0,"mode":0,"enabled":true,"once":false,)"
+                           R"("desired_status":"SKIPPED"})";
+  const auto listed = [&] { return Json::parse(of.ask({head('D')}).at(1)); };
+  CHECK(listed().empty());
+  CHECK(of.ask({head('I'), text}).size() == 1);
+  CHECK(listed() == Json::array({Json::parse(text)}));
   CHECK(of.ask({head('X')}).size() == 1);
-  for (const char letter : {'I', 'R', 'U'}) {
-    const auto reply = of.ask({head(letter), R"({"uid": 2, "position": 0})"});
-    CHECK(reply[0] == "error");
-    CHECK(reply[1].find("breakpoints are not supported") != std::string::npos);
-  }
+  CHECK(listed()[0]["enabled"] == false);
+  CHECK(of.ask({head('R'), text}).size() == 1);
+  CHECK(listed().empty());
+  CHECK(of.ask({head('I'), text}).size() == 1);
+  CHECK(of.ask({head('A')}).size() == 1);
+  CHECK(listed().empty());
+  for (const char letter : {'R', 'U'})
+    CHECK(of.ask({head(letter), text}) == Parts{"error", "Node ID not found"});
+}
+
+TEST_CASE("subscribers get the uid of the node at which the run has stopped") {
+  CHECK(groot::Protocol::stopMessage(513, 0x01020304) == Parts{"\2N\4\3\2\1", "513"});
 }
 
 TEST_CASE("what is no request gets an error as its reply") {
@@ -119,6 +137,10 @@ TEST_CASE("what is no request gets an error as its reply") {
   CHECK(error({head('B')}) == "must be 2 parts message");
   CHECK(error({head('B'), "mission", "mission"}) == "must be 2 parts message");
   CHECK(error({head('r')}) == "must be 2 parts message");
+  for (const char letter : {'I', 'R', 'U'}) {
+    CHECK(error({head(letter)}) == "must be 2 parts message");
+    CHECK(error({head(letter), "nonsense"}) == "the second part is not JSON");
+  }
   CHECK(error({head('r'), "begin"}) == "neither `start` nor `stop`");
 }
 

@@ -16,6 +16,7 @@ import sys
 import tempfile
 import time
 import unittest
+import urllib.request
 
 import btlog
 
@@ -29,6 +30,10 @@ WAITING = """
 (defskill fly :action (fly) :success there)
 (defskill search :success found :body ((fly) (set (door Closed)) (success found)))
 (defskill mission :success done :body ((search) (success done)))
+"""
+PATROL = """
+(defsv place :states (Here There) :init Here :transitions :all)
+(defskill patrol :body ((while true (^ 1) (set (place There)) (printf "it is There") (^ 1) (set (place Here)))))
 """
 # Flies until somebody writes to the pipe.
 ROBOT = """
@@ -75,11 +80,17 @@ def unpacked(data):
     return value
 
 
+def hook(uid, position=0, **more):
+    """A breakpoint as Groot2 sends it; position 1: after the node."""
+    return json.dumps({"uid": uid, "position": position, "mode": 0, "enabled": True, "once": False, "desired_status": "SKIPPED", **more})
+
+
 class Viewer:
     def __init__(self, test, port):
         self.context = zmq.Context()
         self.socket = self.context.socket(zmq.REQ)
         self.socket.linger, self.socket.rcvtimeo = 0, PATIENCE * 1000
+        self.port = port
         self.socket.connect(f"tcp://127.0.0.1:{port}")
         test.addCleanup(self.close)
         self.number = 0
@@ -109,6 +120,23 @@ class Viewer:
     def statuses(self):
         data = self.ask("S")
         return {uid: status for uid, status in struct.iter_unpack("<HB", data)}
+
+    def subscribe(self, test):
+        """Messages, from now on."""
+        self.messages = self.context.socket(zmq.SUB)
+        self.messages.linger, self.messages.rcvtimeo = 0, PATIENCE * 1000
+        test.addCleanup(self.messages.close)
+        self.messages.subscribe(b"")
+        with self.messages.get_monitor_socket(zmq.EVENT_HANDSHAKE_SUCCEEDED) as events:
+            self.messages.connect(f"tcp://127.0.0.1:{self.port + 1}")
+            assert events.poll(PATIENCE * 1000)
+            self.messages.disable_monitor()
+
+    def stopped_at(self):
+        """The node at which the run has stopped, according to the next message."""
+        head, uid = self.messages.recv_multipart()
+        assert head[:2] == bytes([2, ord("N")]) and len(head) == 6, head
+        return int(uid)
 
     def until(self, uid, status):
         end = time.monotonic() + PATIENCE
@@ -203,6 +231,82 @@ class Watch(unittest.TestCase):
         self.assertIsNone(viewer.ask("r", "stop"))
         self.assertEqual(self.stop(), 0)
 
+    def begin_to_patrol(self, *options):
+        """Begins a simulated run in real time, which goes back and forth."""
+        (self.path / "patrol.proskill").write_text(PATROL, encoding="utf-8")
+        return self.begin("--clock", "10x", *options, program=self.path / "patrol.proskill")
+
+    def place(self, viewer):
+        return unpacked(viewer.ask("B", "patrol"))["patrol"]["place"]
+
+    def test_a_breakpoint_stops_a_simulation_before_or_after_a_node(self):
+        viewer = Viewer(self, self.begin_to_patrol())
+        viewer.subscribe(self)
+        there, back = viewer.tree().tagged("Set")
+        self.assertIsNone(viewer.ask("I", hook(there)))
+        for _ in range(3):
+            self.assertEqual(viewer.stopped_at(), there)
+            self.assertEqual(self.place(viewer), "Here")
+            self.assertEqual(viewer.statuses()[there], btlog.RUNNING)
+            self.assertIsNone(viewer.ask("U", json.dumps({"uid": there, "position": 0, "desired_status": "SKIPPED", "remove_when_done": False})))
+        self.assertEqual(viewer.stopped_at(), there)
+        self.assertIsNone(viewer.ask("I", f"[{hook(there, 1)},{hook(back)}]"))
+        self.assertEqual(len(json.loads(viewer.ask("D"))), 3)
+        self.assertIn("decided by the program", viewer.ask("U", hook(there, desired_status="SUCCESS")))
+        self.assertIsNone(viewer.ask("U", hook(there, once=True)))
+        self.assertEqual(viewer.stopped_at(), there)
+        self.assertEqual(self.place(viewer), "There")
+        self.assertEqual(viewer.ask("U", hook(there)), "error: Node ID not found")  # that one was for once
+        self.assertIsNone(viewer.ask("R", hook(there, 1)))  # lets it go on
+        self.assertEqual(viewer.stopped_at(), back)
+        self.assertIsNone(viewer.ask("A"))
+        self.assertEqual(viewer.ask("D"), b"[]")
+        viewer.until(there, btlog.SUCCESS)
+        self.assertEqual(self.stop(), 3)
+
+    def test_a_viewer_that_leaves_does_not_hold_the_run(self):
+        viewer = Viewer(self, self.begin_to_patrol())
+        viewer.subscribe(self)
+        there = viewer.tree().tagged("Set")[0]
+        self.assertIsNone(viewer.ask("I", hook(there)))
+        self.assertEqual(viewer.stopped_at(), there)
+        count = 0
+        for line in self.process.stdout:  # comes to the end of these only after the viewer's 5 s of silence
+            count += "is There" in line
+            if count == 3:
+                break
+        self.assertIsNone(viewer.ask("A"))
+
+    def test_a_run_of_a_robot_has_no_breakpoints(self):
+        viewer = Viewer(self, self.begin_to_wait())
+        self.assertEqual(viewer.ask("I", hook(1)), "error: only simulations can be paused: the robot would go on")
+        self.assertEqual(viewer.ask("D"), b"[]")
+        self.let_go()
+        viewer.until(1, btlog.SUCCESS)
+        self.assertEqual(self.stop(), 0)
+
+    def test_breakpoints_and_pages_pause_one_run(self):
+        port = self.begin_to_patrol("--view", "--no-open")
+        url = self.process.stderr.readline().split()[-1]
+
+        def control(action):
+            request = urllib.request.Request(url + "api/control", json.dumps({"do": action}).encode(), {"Content-Type": "application/json"})
+            with urllib.request.urlopen(request, timeout=PATIENCE) as answer:
+                return json.load(answer)["result"]
+
+        viewer = Viewer(self, port)
+        viewer.subscribe(self)
+        there = viewer.tree().tagged("Set")[0]
+        self.assertIsNone(viewer.ask("I", hook(there)))
+        self.assertEqual(viewer.stopped_at(), there)
+        self.assertEqual(control("step")["state"], "paused")
+        viewer.until(there, btlog.SUCCESS)
+        self.assertEqual(control("continue")["state"], "running")
+        self.assertEqual(viewer.stopped_at(), there)
+        self.assertIsNone(viewer.ask("U", hook(there, once=True)))
+        control("pause")
+        self.assertEqual(viewer.ask("U", hook(there)), "error: Node ID not found")
+
     def test_each_run_has_an_id(self):
         ids = set()
         for _ in range(2):
@@ -222,7 +326,7 @@ class Watch(unittest.TestCase):
             stranger.sendall(b"GET / HTTP/1.1\r\n\r\n")
         greedy = Viewer(self, port)
         greedy.send("B", "x" * 100_000)  # is disconnected
-        for letter, *more in [("Q",), ("N",), ("B",), ("r", "begin"), ("I", '{"uid": 1}'), ("U", "nonsense"), ("R",)]:
+        for letter, *more in [("Q",), ("N",), ("B",), ("r", "begin"), ("I", '{"uid": 1}'), ("I", hook(1)), ("U", "nonsense"), ("R",)]:
             self.assertTrue(str(viewer.ask(letter, *more)).startswith("error: "), letter)
         viewer.socket.send(b"")
         self.assertEqual(viewer.socket.recv_multipart(), [b"error", b"wrong request header"])
