@@ -26,7 +26,8 @@ install(DIRECTORY tree-sitter-proskill/queries/ DESTINATION ${nvim_site}/queries
 install(TARGETS proskill_parser LIBRARY DESTINATION ${nvim_site}/parser)
 install(DIRECTORY editors/helix/ DESTINATION ${CMAKE_INSTALL_DATADIR}/proskill/helix
         PATTERN "*.py" EXCLUDE)
-install(FILES editors/emacs/proskill-mode.el DESTINATION ${CMAKE_INSTALL_DATADIR}/emacs/site-lisp)
+install(FILES editors/emacs/proskill-mode.el editors/emacs/proskill-platform.el
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/emacs/site-lisp)
 
 install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)

@@ -16,6 +16,7 @@
 (require 'compile)
 (require 'imenu)
 (require 'subr-x)
+(require 'proskill-platform)
 
 (defgroup proskill nil
   "Robot skills in ProSkill."

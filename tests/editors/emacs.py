@@ -34,9 +34,9 @@ with tempfile.TemporaryDirectory() as directory:
                           cwd=directory, stdin=subprocess.DEVNULL, timeout=280)
     if done.returncode == 0:
         # Warnings of the Emacs compiler are errors here.
-        mode = shutil.copy(ROOT / "editors/emacs/proskill-mode.el", directory)
-        done = subprocess.run([program, "-Q", "--batch", "--eval", "(setq byte-compile-error-on-warn t)",
-                               "-f", "batch-byte-compile", mode], stdin=subprocess.DEVNULL)
+        files = [shutil.copy(file, directory) for file in (ROOT / "editors/emacs").glob("*.el")]
+        done = subprocess.run([program, "-Q", "--batch", "-L", directory, "--eval", "(setq byte-compile-error-on-warn t)",
+                               "-f", "batch-byte-compile", *files], stdin=subprocess.DEVNULL)
 if done.returncode == 0 and not has_eglot():
     print("skipped: Emacs has no eglot (apt-get install elpa-eglot); all but the session with the server was tried")
     sys.exit(77)

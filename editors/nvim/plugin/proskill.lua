@@ -60,3 +60,12 @@ command('ProskillRestart', function() require('proskill.client').restart() end,
   { desc = 'Start the language server anew' })
 command('ProskillBuildParser', function() require('proskill.treesitter').build() end,
   { desc = 'Compile the parser for colours, folds and indentation' })
+
+-- Platform files are checked while they are edited. A program may name another file, or none any more.
+local function platforms() require('proskill.platform').update_soon() end
+local group = vim.api.nvim_create_augroup('proskill_platforms', {})
+local function on(events, pattern)
+  vim.api.nvim_create_autocmd(events, { group = group, pattern = pattern, callback = platforms })
+end
+on({ 'BufReadPost', 'BufNewFile', 'BufFilePost', 'BufUnload', 'TextChanged', 'TextChangedI', 'TextChangedP' }, '*.json')
+on({ 'TextChanged', 'InsertLeave', 'BufUnload' }, '*.proskill')

@@ -26,7 +26,8 @@ function M.root(buffer)
   return start
 end
 
-local function all()
+-- The clients that are initialized.
+function M.all()
   local clients = (vim.lsp.get_clients or vim.lsp.get_active_clients)()
   return vim.tbl_filter(function(client) return client.name == name end, clients)
 end
@@ -34,7 +35,7 @@ end
 -- The client of a buffer; nil if it has none yet.
 function M.of(buffer)
   buffer = buffer == 0 and vim.api.nvim_get_current_buf() or buffer
-  for _, client in ipairs(all()) do
+  for _, client in ipairs(M.all()) do
     if vim.lsp.buf_is_attached(buffer, client.id) then
       return client
     end
@@ -78,6 +79,7 @@ local function attached(client, buffer)
   if config.get().on_attach then
     config.get().on_attach(client, buffer)
   end
+  require('proskill.platform').update_soon()
 end
 
 -- Progress and highlights: notifications beyond the protocol.
@@ -145,7 +147,8 @@ function M.attach(buffer)
   return start(buffer, M.root(buffer))
 end
 
-local function programs()
+-- The buffers with programs.
+function M.programs()
   return vim.tbl_filter(function(buffer)
     return vim.api.nvim_buf_is_loaded(buffer) and vim.bo[buffer].filetype == 'proskill'
   end, vim.api.nvim_list_bufs())
@@ -153,7 +156,7 @@ end
 
 -- Stops all servers; when they have ended, starts those that the open programs need.
 function M.restart()
-  local stopping = vim.tbl_map(function(client) return client.id end, all())
+  local stopping = vim.tbl_map(function(client) return client.id end, M.all())
   vim.lsp.stop_client(stopping)
   local timer, tries = vim.loop.new_timer(), 0
   timer:start(0, 50, vim.schedule_wrap(function()
@@ -170,7 +173,7 @@ function M.restart()
     end
     timer:close()
     M.starting = {}
-    for _, buffer in ipairs(programs()) do
+    for _, buffer in ipairs(M.programs()) do
       M.attach(buffer)
     end
   end))
