@@ -1,8 +1,11 @@
 #include "disk/growing_file.h"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <sys/uio.h>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
@@ -15,13 +18,20 @@ std::string notWritten(const std::string& path, int error) {
   return path + " cannot be written: " + std::generic_category().message(error);
 }
 
-/// \return an error number of the system, or 0
-int writeAt(int descriptor, std::string_view bytes, std::int64_t at) {
-  while (!bytes.empty()) {
-    const auto count = pwrite(descriptor, bytes.data(), bytes.size(), at);
+iovec partOf(std::string_view bytes) {
+  return {const_cast<char*>(bytes.data()), bytes.size()}; // which is only read
+}
+
+/// Writes both parts, one after the other. \return an error number of the system, or 0
+int writeAt(int descriptor, std::string_view bytes, std::string_view end, std::int64_t at) {
+  while (!bytes.empty() || !end.empty()) {
+    const std::array parts{partOf(bytes), partOf(end)};
+    const auto count = pwritev(descriptor, parts.data(), static_cast<int>(parts.size()), at);
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) return count < 0 ? errno : EIO;
-    bytes.remove_prefix(static_cast<std::size_t>(count));
+    const auto first = std::min(static_cast<std::size_t>(count), bytes.size());
+    bytes.remove_prefix(first);
+    end.remove_prefix(static_cast<std::size_t>(count) - first);
     at += count;
   }
   return 0;
@@ -73,9 +83,8 @@ GrowingFile::~GrowingFile() {
 }
 
 std::optional<std::string> GrowingFile::add(std::string_view bytes, std::string_view end) {
-  buffer.assign(bytes);
-  buffer += end;
-  if (const int error = isBegun ? append() : begin()) return notWritten(path, error);
+  if (const int error = isBegun ? append(bytes, end) : begin(bytes, end))
+    return notWritten(path, error);
   isBegun = true;
   length += static_cast<std::int64_t>(bytes.size());
   lastEnd = end;
@@ -83,30 +92,30 @@ std::optional<std::string> GrowingFile::add(std::string_view bytes, std::string_
 }
 
 /// Gives up an earlier content only when the first addition is written, or has its space.
-int GrowingFile::begin() {
-  const auto size = static_cast<std::int64_t>(buffer.size());
+int GrowingFile::begin(std::string_view bytes, std::string_view end) {
+  const auto size = static_cast<std::int64_t>(bytes.size() + end.size());
   if (earlierSize && size > 0)
     if (const int error = posix_fallocate(descriptor, 0, size)) {
       (void)ftruncate(descriptor, *earlierSize);
       return error;
     }
-  if (const int error = writeAt(descriptor, buffer, 0)) return error;
+  if (const int error = writeAt(descriptor, bytes, end, 0)) return error;
   if (replacement) return replacement->replaceTarget();
   (void)ftruncate(descriptor, size); // a device has no size
   return 0;
 }
 
 /// After an error, restores the previous end, which needs no new space.
-int GrowingFile::append() {
-  const int error = writeAt(descriptor, buffer, length);
+int GrowingFile::append(std::string_view bytes, std::string_view end) {
+  const int error = writeAt(descriptor, bytes, end, length);
   if (error == 0) return 0;
-  (void)writeAt(descriptor, lastEnd, length);
+  (void)writeAt(descriptor, lastEnd, {}, length);
   (void)ftruncate(descriptor, length + static_cast<std::int64_t>(lastEnd.size()));
   return error;
 }
 
 void GrowingFile::replace(std::uint64_t at, std::string_view bytes) const {
-  (void)writeAt(descriptor, bytes, static_cast<std::int64_t>(at));
+  (void)writeAt(descriptor, bytes, {}, static_cast<std::int64_t>(at));
 }
 
 void GrowingFile::sync() const { (void)fdatasync(descriptor); }

@@ -37,8 +37,8 @@ private:
   [[nodiscard]] int open();
   [[nodiscard]] int openBeside(const struct stat* earlier);
   [[nodiscard]] int openInPlace();
-  [[nodiscard]] int begin();
-  [[nodiscard]] int append();
+  [[nodiscard]] int begin(std::string_view bytes, std::string_view end);
+  [[nodiscard]] int append(std::string_view bytes, std::string_view end);
 
   int descriptor = -1;
   std::string path;
@@ -46,7 +46,6 @@ private:
   std::optional<std::int64_t> earlierSize;  ///< of a file that is overwritten in place
   bool isBegun = false;
   std::int64_t length = 0; ///< without its end
-  std::string buffer;
   std::string lastEnd;
 };
 

@@ -19,8 +19,10 @@ constexpr std::size_t kLargest = std::size_t{1} << 20;
 /// steps come so fast that separate writes would dominate.
 constexpr std::size_t kBatch = std::size_t{64} << 10;
 constexpr milliseconds kMoment(100);
-/// Time between two writes in real time. It bounds the cost of a run with many steps per second.
-constexpr milliseconds kBetweenWrites(5);
+/// Time between two writes in real time, unless much waits: waking a thread for each step would
+/// cost more than the rest of the step. After a longer pause a step is written at once.
+constexpr milliseconds kBetweenWrites(50);
+constexpr std::size_t kMuch = std::size_t{1} << 20;
 /// Interval at which the file is synchronised with the disk, to survive a power failure.
 constexpr milliseconds kSyncEvery(1'000);
 
@@ -62,7 +64,9 @@ std::optional<std::string> Recorder::put(const Order& order, std::string_view by
     adder.sleep(kMoment, [&] { return isOver() || queue.used() < kMostWaiting / 2; });
   }
   if (isOver()) return complaint();
-  if (isReal || queue.used() >= kBatch) writer.wake();
+  const auto waiting = queue.used();
+  if (isReal || waiting >= kBatch) writer.wake();
+  if (waiting >= kMuch) pause.wake();
   return std::nullopt;
 }
 
@@ -76,6 +80,7 @@ std::optional<std::string> Recorder::begin(std::string_view bytes, std::string_v
 std::optional<std::string> Recorder::finish() {
   isFinished = true;
   writer.wake();
+  pause.wake();
   if (thread.joinable()) thread.join();
   return isEnded ? complaint() : std::nullopt;
 }
@@ -99,10 +104,9 @@ void Recorder::run() {
 void Recorder::rest() {
   const auto isOver = [&] { return isFinished.load(); };
   if (!isReal) return writer.sleep(kMoment, [&] { return isOver() || queue.used() >= kBatch; });
-  const auto between = steady_clock::now() + kBetweenWrites;
+  pause.sleep(kBetweenWrites, [&] { return isOver() || queue.used() >= kMuch; });
   const auto patience = isSynced ? milliseconds(-1) : until(lastSync + kSyncEvery);
   writer.sleep(patience, [&] { return isOver() || queue.used() > 0; });
-  while (!isOver() && until(between) > milliseconds(0)) std::this_thread::sleep_until(between);
 }
 
 void Recorder::writeAll() {

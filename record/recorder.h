@@ -79,6 +79,7 @@ private:
   const bool isReal;
   runtime::ByteQueue<Order> queue;
   Sleeper writer;
+  Sleeper pause;                       ///< between two writes in real time
   Sleeper adder;                       ///< the run, if it waits for room
   std::atomic<bool> isFinished{false}; ///< nothing is added any more
   std::atomic<bool> isEnded{false};    ///< nothing is written any more

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <sstream>
 #include <sys/syscall.h>
+#include <sys/uio.h>
 #include <thread>
 #include <unistd.h>
 
@@ -53,9 +54,9 @@ struct Disk {
 } // namespace
 
 // Replace the functions of the C library.
-extern "C" ssize_t pwrite(int file, const void* bytes, size_t count, off_t at) {
+extern "C" ssize_t pwritev(int file, const iovec* parts, int count, off_t at) {
   slow.write();
-  return ::syscall(SYS_pwrite64, file, bytes, count, at);
+  return ::syscall(SYS_pwritev, file, parts, count, at, 0);
 }
 extern "C" int fdatasync(int file) {
   slow.sync();
@@ -93,6 +94,21 @@ TEST_CASE("no step waits for a disk that hangs, and the recording ends with a wa
   CHECK(recorder.finish() == std::nullopt);
   CHECK(recording(path).starts_with("[0,1"));
   CHECK(recording(path).ends_with("]"));
+}
+
+TEST_CASE("in real time a step after a pause is written at once, and those after it together") {
+  const test::TemporaryDirectory files;
+  const auto path = files.path("run.json");
+  Recorder recorder(std::move(*disk::GrowingFile::create(path)), RunTime::Real);
+  CHECK(recorder.add("[0", "]") == std::nullopt);
+  const int before = slow.writes;
+  CHECK(recorder.add(",1", "]") == std::nullopt);
+  slow.await([&] { return slow.writes > before; }); // without another step
+  constexpr int kSteps = 20'000;
+  for (int i = 0; i < kSteps; ++i) CHECK(recorder.add(",2", "]") == std::nullopt);
+  CHECK(recorder.finish() == std::nullopt);
+  CHECK(slow.writes < before + kSteps / 10);
+  CHECK(recording(path).size() == std::string("[0,1]").size() + kSteps * 2);
 }
 
 TEST_CASE("a part of a recording is replaced after it was written, and before what follows") {
