@@ -20,6 +20,9 @@ describe('a program that is edited while its trace is open', () => {
   /** Resolves when the page has the verdicts on another text; call it before writing the text. */
   const verified = () => it.waitForResponse(async (response) => response.url().endsWith('/api/news')
     && (await response.json()).result.news.some(({ method, params }) => method === 'program' && params.state === 'done'));
+  /** Marks the rows of verdicts; `newRows` are those drawn since. */
+  const markRows = () => it.evaluate(() => document.querySelectorAll('.verdict').forEach((row) => { row.isMarked = true; }));
+  const newRows = () => it.evaluate(() => [...document.querySelectorAll('.verdict')].filter((row) => !row.isMarked).map((row) => row.dataset.name));
   before(async () => {
     files = workspace();
     [file, building] = ['bug', 'building'].map((it) => join(files.path, `lift/${it}.proskill`));
@@ -42,6 +45,7 @@ describe('a program that is edited while its trace is open', () => {
     const search = it.locator('.verdicts .search');
     await search.fill('door');
     const before = await scrolls();
+    await markRows();
     const done = verified();
     edit(location.file, (text) => `\n\n\n${text}`);
     await done;
@@ -51,6 +55,7 @@ describe('a program that is edited while its trace is open', () => {
     assert.deepEqual(await scrolls(), before);
     assert.equal(await search.evaluate((it) => document.activeElement === it), true);
     assert.equal(await it.locator('.renewed').textContent(), '');
+    assert.deepEqual(await newRows(), [], 'the list of verdicts is as it was');
     await it.locator('.step.current').click();
     await eventually(async () => assert.equal((await marked(it)).lines[0], location.begin.line + 3));
     await search.fill('');
@@ -69,11 +74,15 @@ describe('a program that is edited while its trace is open', () => {
   });
 
   test('the bug is repaired: the verdict takes the place of the trace', async () => {
+    await markRows();
     const done = verified();
     edit(file, (text) => text.replace('(open_doors)', '(^ (cabin Idle) :effects (cabin Doors))\n        (open_doors)\n        (set (cabin Idle))'));
     await done;
     await it.locator('.trace-view .badge.holds:visible').waitFor();
     assert.equal(await it.locator('.step:visible').count(), 0);
+    await it.locator(`.verdict.good[data-name="${name}"]`).waitFor();
+    assert.ok((await newRows()).includes(name));
+    assert.ok((await newRows()).length < (await it.locator('.verdict').count()));
     await shot(it, 'lift_repaired');
   });
 

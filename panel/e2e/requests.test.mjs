@@ -1,4 +1,4 @@
-// What the panel of VS Code requests until it shows something; each request delays that.
+// What the panel of VS Code requests until it shows something, since each request delays that; what it does with keys meanwhile, and with changes.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, test } from 'node:test';
@@ -15,27 +15,46 @@ const answers = {
   picture: { kind: 'sv', name: 'door', title: 'door', note: '', content: '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"/>', errors: false, nodes: [], edges: [], clusters: [], pictures: [] },
 };
 
-/** A host that answers at once, and notes the requests. */
-const host = ({ hello, answers }) => {
+/** A host that notes the requests, and answers at once, but those of the method `held` when `release` is called. Counts the elements made of a class. */
+const host = ({ hello, answers, held }) => {
   window.requests = [];
-  window.acquireVsCodeApi = () => ({ postMessage: ({ type, id, method, params }) => {
+  window.made = {};
+  const { setAttribute } = Element.prototype;
+  Element.prototype.setAttribute = function (name, value) {
+    if (name === 'class') for (const it of String(value).split(' ')) window.made[it] = (window.made[it] ?? 0) + 1;
+    return setAttribute.call(this, name, value);
+  };
+  const released = new Promise((done) => { window.release = done; });
+  window.acquireVsCodeApi = () => ({ postMessage: async ({ type, id, method, params }) => {
     if (type !== 'request') return;
     window.requests.push([method, params.name].filter(Boolean).join(' '));
+    if (method === held) await released;
     setTimeout(() => window.postMessage({ type: 'reply', id, result: method === 'hello' ? hello : answers[method] }));
   } });
 };
 
-async function requested(layout, show, shown) {
+async function opened(layout, more, held) {
   const it = await page();
-  const hello = { contract: 1, layout, can: { source: false, save: true, open: true, verify: true, simulate: false, follow: false }, program, show };
+  const hello = { contract: 1, layout, can: { source: false, save: true, open: true, verify: true, simulate: false, follow: false }, program, ...more };
   await it.goto('about:blank');
   await it.setContent('<div id="panel"></div>');
-  await it.evaluate(host, { hello, answers });
+  await it.evaluate(host, { hello, answers, held });
   await it.addScriptTag({ content: readFileSync(new URL('../dist/panel.js', import.meta.url), 'utf8') });
+  return it;
+}
+
+async function requested(layout, show, shown) {
+  const it = await opened(layout, { show });
   await eventually(async () => assert.ok(await it.locator(shown).count()));
   assert.deepEqual(it.complaints, []);
   return it.evaluate(() => window.requests);
 }
+
+const moment = { exact: '0', seconds: 0, strict: false };
+const steps = Array.from({ length: 5 }, (_, i) => ({
+  actor: 'm', description: `does ${i}`, location: null, date: moment, delay: moment, earliest: moment, latest: moment, changes: [], transitions: [] }));
+const verdict = (name, more = {}) => ({
+  name, kind: 'property', subject: 'm', description: name, verdict: 'violated', good: false, severity: 'error', location: null, reason: '', steps: 5, ...more });
 
 test('a trace comes without an automaton', async () => {
   assert.deepEqual(await requested('trace', { trace: 't' }, '.badge.violated'), ['hello', 'trace t']);
@@ -43,4 +62,22 @@ test('a trace comes without an automaton', async () => {
 
 test('an automaton comes without another before it', async () => {
   assert.deepEqual(await requested('automaton', { picture: { kind: 'sv', name: 'door' } }, '.stage[data-picture="sv door"]'), ['hello', 'picture door']);
+});
+
+test('a trace alone makes no list of verdicts, and compares with those that have changed', async () => {
+  const verdicts = ['p', 'q', 'r'].map((name) => verdict(name, { steps: name === 'r' ? null : 5 }));
+  const it = await opened('trace', { show: { trace: 't', step: 0 }, program: { ...program, verdicts } });
+  await it.locator('.badge.violated').waitFor();
+  const compared = async () => {
+    await it.locator('button[title^="Compare"]').click();
+    const found = await it.locator('.menu-list:visible .menu-item').allTextContents();
+    await it.keyboard.press('Escape');
+    return found.map((words) => words.replace(/^\W+/, '').trim());
+  };
+  const before = await compared();
+  const { verdicts: _, ...rest } = { ...program, verdicts };
+  await it.evaluate((params) => window.postMessage({ type: 'news', method: 'program', params }), { ...rest, changed: [verdict('r', { description: 'r, changed' })] });
+  await eventually(async () => assert.equal((await compared()).length, before.length + 1));
+  assert.equal(await it.evaluate(() => window.made.verdict ?? 0), 0);
+  assert.deepEqual(it.complaints, []);
 });

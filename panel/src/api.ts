@@ -317,8 +317,8 @@ export interface Show {
   at?: Location;
 }
 export interface News {
-  /** It changed: verdicts, progress, or its text. Without verdicts if they are unchanged. */
-  program: Omit<Program, 'verdicts'> & { verdicts?: Verdict[] };
+  /** It changed: verdicts, progress, or its text. With all `verdicts`, else with those that `changed`, if any. */
+  program: Omit<Program, 'verdicts'> & { verdicts?: Verdict[]; changed?: Verdict[] };
   show: Show;
   /** Position of the caret, as an empty range. */
   caret: Location;

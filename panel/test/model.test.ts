@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import type { Trace } from '../src/api.ts';
+import type { Trace, Verdict } from '../src/api.ts';
 import { actorsOf } from '../src/model/actors.ts';
 import { compare, isDifferent } from '../src/model/compare.ts';
 import { difference } from '../src/model/diff.ts';
@@ -12,6 +12,7 @@ import { open } from '../src/model/parse.ts';
 import { continuation, tellsTheSame } from '../src/model/renew.ts';
 import { ticks, windowOf } from '../src/model/time.ts';
 import { Values } from '../src/model/values.ts';
+import { changesSince, withChanges } from '../src/model/verdict_changes.ts';
 import { Rows } from '../src/model/virtual.ts';
 import { watched, watchOf } from '../src/model/watch.ts';
 import { flight, step, trace } from './traces.ts';
@@ -331,4 +332,17 @@ test('a trace tells the same where only its places are others', () => {
   moved.steps[0]!.location = { uri: 'file:///p', range: { start: { line: 7, character: 0 }, end: { line: 7, character: 1 } } };
   assert.equal(tellsTheSame(one, moved), true);
   assert.equal(tellsTheSame(one, trace({ n: '0' }, ['a: starts @0', 'c: starts @1'])), false);
+});
+
+test('changes of verdicts are found by reference, and give the same list again', () => {
+  const named = (name: string, word = 'holds'): Verdict => ({ name, verdict: word }) as Verdict;
+  const known = ['a', 'b', 'c'].map((name) => named(name));
+  const now = [known[0]!, named('b', 'violated'), known[2]!];
+  assert.deepEqual(changesSince(known, now), [now[1]]);
+  assert.deepEqual(withChanges(known, [now[1]!]), now);
+  assert.equal(withChanges(known, []), known);
+  assert.deepEqual(changesSince(known, known), []);
+  assert.equal(changesSince(known, now.slice(1)), null);
+  assert.equal(changesSince(known, [now[1]!, known[0]!, known[2]!]), null);
+  assert.equal(changesSince(undefined, now), null);
 });

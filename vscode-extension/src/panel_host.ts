@@ -1,4 +1,5 @@
 import * as vscode from 'vscode';
+import { changesSince } from '../../panel/src/model/verdict_changes';
 import type { Client } from './client';
 import { page } from './page';
 import { bringIntoView, goTo } from './places';
@@ -158,7 +159,8 @@ export class PanelHost implements vscode.Disposable {
     const program = this.listening ? await this.program() : null;
     if (!program) return;
     const { verdicts, ...rest } = program;
-    this.tell('program', verdicts === this.toldVerdicts ? rest : program);
+    const changed = changesSince(this.toldVerdicts, verdicts);
+    this.tell('program', changed ? { ...rest, changed } : program);
     this.toldVerdicts = verdicts;
   }
 

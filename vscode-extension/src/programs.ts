@@ -1,7 +1,7 @@
 import * as vscode from 'vscode';
+import { withChanges } from '../../panel/src/model/verdict_changes';
 import type { Client } from './client';
 import type * as protocol from './protocol';
-import type { panel } from './protocol';
 
 /** The latest notification of the server on every program. */
 export class Programs implements vscode.Disposable {
@@ -71,11 +71,4 @@ export class Programs implements vscode.Disposable {
   private forget(): void {
     this.known.clear();
   }
-}
-
-/** The same array if nothing has changed, so that users can compare references. */
-function withChanges(known: panel.Verdict[], changes: panel.Verdict[]): panel.Verdict[] {
-  if (!changes.length) return known;
-  const changed = new Map(changes.map((verdict) => [verdict.name, verdict]));
-  return known.map((verdict) => changed.get(verdict.name) ?? verdict);
 }

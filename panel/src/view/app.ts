@@ -1,7 +1,8 @@
-import type { Hello, Host, Location, NewsOf, Program, Remembered, Show, Trace, Verdict } from '../api.ts';
+import type { Hello, Host, Location, News, NewsOf, Program, Remembered, Show, Trace, Verdict } from '../api.ts';
 import { ActorColours } from '../model/colours.ts';
 import { runOf } from '../model/chosen_run.ts';
 import { open } from '../model/parse.ts';
+import { withChanges } from '../model/verdict_changes.ts';
 import { AutomatonView } from './automaton_view.ts';
 import { h } from './dom.ts';
 import { button, enable } from './icons.ts';
@@ -29,7 +30,8 @@ export async function start(root: HTMLElement, host: Host): Promise<void> {
 class App {
   private readonly root: HTMLElement;
   private readonly host: Host;
-  private readonly verdicts = new VerdictsView((verdict, focus) => void this.choose(verdict, focus));
+  /** in the layout that shows them */
+  private readonly verdicts: VerdictsView | null;
   private readonly source: SourceView | null;
   private readonly trace: TraceView;
   private readonly automaton: AutomatonView;
@@ -59,6 +61,7 @@ class App {
     this.host = this.watched(host);
     this.remembered = { ...hello.remembered };
     const saver = new Saver(this.host, hello.can.save, (words) => this.say(words));
+    this.verdicts = hello.layout === 'all' && !hello.run ? new VerdictsView((verdict, focus) => void this.choose(verdict, focus)) : null;
     this.source = hello.can.source ? new SourceView(this.host, (location) => this.automaton.follows(location)) : null;
     this.automaton = new AutomatonView(this.host, saver, (picture) => this.remember({ picture }), this.colours);
     this.trace = new TraceView(this.host, saver, {
@@ -104,7 +107,7 @@ class App {
     if (this.run) return this.drawRun(this.run);
     const main = h('main', {}, this.tabList());
     for (const { panel } of this.tabs.values()) main.append(panel);
-    const body = h('div', { class: 'app-body' }, this.verdicts.element, main);
+    const body = h('div', { class: 'app-body' }, this.verdicts?.element ?? '', main);
     if (this.source) body.append(splitter('vertical', this.source.element, 'source'), this.source.element);
     this.root.replaceChildren(this.head(this.hello.can.verify && this.again,
       button({ icon: 'open', title: 'Open a trace or a report from a file', onclick: () => this.openFile() })), body, this.toast);
@@ -252,7 +255,7 @@ class App {
     this.select('trace');
     this.trace.show(trace, step, byUser);
     this.trace.markStale(trace.stale ?? (this.program !== null && this.isStale(this.program)));
-    this.verdicts.select(trace.name);
+    this.verdicts?.select(trace.name);
   }
 
   /** A trace from a file does not depend on the program. */
@@ -287,6 +290,10 @@ class App {
     this.host.tell('remember', { ...this.remembered });
   }
 
+  private takeNews({ verdicts, changed = [], ...rest }: News['program']): void {
+    this.take({ ...rest, verdicts: verdicts ?? withChanges(this.program?.verdicts ?? [], changed) });
+  }
+
   private take(program: Program): void {
     const former = this.program;
     this.program = program;
@@ -296,7 +303,7 @@ class App {
     this.state.textContent = stateWords(program);
     this.state.className = `state ${program.state}${program.stale ? ' stale' : ''}`;
     enable(this.again, program.state === 'checking' ? 'It is being verified' : null, 'Verify again');
-    this.verdicts.show(program);
+    this.verdicts?.show(program);
     if (program.verdicts !== former?.verdicts) this.trace.setOthers(program.verdicts);
     this.trace.markStale(this.isStale(program));
     if (program.pictures.length > 0 && this.hello.layout !== 'trace') this.automaton.setProgram(program);
@@ -333,7 +340,7 @@ class App {
 
   private news(news: NewsOf): void {
     switch (news[0]) {
-      case 'program': return this.take({ ...news[1], verdicts: news[1].verdicts ?? this.program?.verdicts ?? [] });
+      case 'program': return this.takeNews(news[1]);
       case 'show': return void this.show(news[1]);
       case 'caret': return this.automaton.follows(news[1]);
       case 'edited':

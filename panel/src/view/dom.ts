@@ -27,6 +27,17 @@ export function s<K extends keyof SVGElementTagNameMap>(tag: K, attributes: Attr
   return element;
 }
 
+/** Replaces the children of an element; those that stay in their order are not moved, so that they keep focus and layout. */
+export function setChildren(parent: Element, children: readonly Element[]): void {
+  const kept = new Set<Node>(children);
+  for (const child of [...parent.childNodes]) if (!kept.has(child)) child.remove();
+  let at: Node | null = parent.firstChild;
+  for (const child of children) {
+    if (child === at) at = at.nextSibling;
+    else parent.insertBefore(child, at);
+  }
+}
+
 /** Text in which names in backquotes become code. */
 export function prose(text: string): DocumentFragment {
   const out = document.createDocumentFragment();

@@ -1,5 +1,5 @@
 import type { Program, Verdict } from '../api.ts';
-import { h, plural, prose } from './dom.ts';
+import { h, plural, prose, setChildren } from './dom.ts';
 import { icon, toggle, type Icon } from './icons.ts';
 
 export type Mark = 'good' | 'error' | 'warning' | 'open';
@@ -15,6 +15,9 @@ export class VerdictsView {
   private readonly summary = h('div', { class: 'summary', role: 'status' });
   private readonly field: HTMLInputElement;
   private readonly onlyBad;
+  private readonly drawn = new Map<string, { look: string; element: HTMLElement }>();
+  private readonly groups = new Map<string, { element: HTMLElement; name: HTMLElement }>();
+  private readonly nothing = h('p', { class: 'nothing' });
   private program: Program | null = null;
   private current: string | null = null;
 
@@ -41,7 +44,7 @@ export class VerdictsView {
 
   select(name: string | null): void {
     this.current = name;
-    for (const option of this.options()) option.setAttribute('aria-selected', String(option.dataset['name'] === name));
+    for (const option of this.options()) markSelected(option, option.dataset['name'] === name);
   }
 
   private draw(): void {
@@ -54,24 +57,41 @@ export class VerdictsView {
     for (const verdict of shown) subjects.set(verdict.subject, [...(subjects.get(verdict.subject) ?? []), verdict]);
     const worst = (list: Verdict[]): number => Math.min(...list.map((verdict) => rank[markOf(verdict)]));
     const sorted = [...subjects].sort((a, b) => worst(a[1]) - worst(b[1]));
-    this.list.replaceChildren(...sorted.map(([subject, list]) => this.section(subject, list)));
-    if (shown.length === 0) this.list.append(h('p', { class: 'nothing' }, this.program.verdicts.length === 0 ? 'No verdicts yet.' : 'No property is like this.'));
-    const first = this.options().find((option) => option.dataset['name'] === this.current) ?? this.options()[0];
-    if (first) first.tabIndex = 0;
+    this.nothing.textContent = this.program.verdicts.length === 0 ? 'No verdicts yet.' : 'No property is like this.';
+    setChildren(this.list, shown.length === 0 ? [this.nothing] : sorted.map(([subject, list]) => this.section(subject, list)));
+    const options = this.options();
+    this.reach(options, options.find((option) => option.dataset['name'] === this.current) ?? options[0]);
+  }
+
+  /** The option that the Tab key reaches. */
+  private reach(options: HTMLElement[], reached: HTMLElement | undefined): void {
+    for (const it of options) if (it.tabIndex !== (it === reached ? 0 : -1)) it.tabIndex = it === reached ? 0 : -1;
   }
 
   private section(subject: string, list: Verdict[]): HTMLElement {
     const sorted = [...list].sort((a, b) => rank[markOf(a)] - rank[markOf(b)]);
-    return h('div', { role: 'group', 'aria-label': subject || 'the program', class: 'subject' },
-      h('div', { class: 'subject-name' }, subject || 'the program'), ...sorted.map((verdict) => this.option(verdict)));
+    const group = this.groups.get(subject) ?? groupOf(subject || 'the program');
+    this.groups.set(subject, group);
+    setChildren(group.element, [group.name, ...sorted.map((verdict) => this.option(verdict))]);
+    return group.element;
   }
 
+  /** The former element if it would look the same: a large program has thousands, and most verdicts stay. */
   private option(verdict: Verdict): HTMLElement {
-    const mark = markOf(verdict);
+    const look = JSON.stringify({ ...verdict, location: null });
+    const former = this.drawn.get(verdict.name);
+    const element = former?.look === look ? former.element : this.newOption(verdict);
+    markSelected(element, verdict.name === this.current);
+    this.drawn.set(verdict.name, { look, element });
+    return element;
+  }
+
+  private newOption(verdict: Verdict): HTMLElement {
+    const kind = markOf(verdict);
     return h('div', {
-      class: `verdict ${mark}`, role: 'option', tabindex: -1, 'data-name': verdict.name, 'aria-selected': String(verdict.name === this.current),
-      title: `${verdict.name}: ${verdict.verdict}${verdict.reason ? `\n${verdict.reason}` : ''}`, onclick: () => this.pick(verdict, false),
-    }, h('span', { class: 'mark' }, icon(icons[mark])), h('span', { class: 'words' }, prose(shortWords(verdict))),
+      class: `verdict ${kind}`, role: 'option', tabindex: -1, 'data-name': verdict.name,
+      title: `${verdict.name}: ${verdict.verdict}${verdict.reason ? `\n${verdict.reason}` : ''}`, onclick: () => this.pickNamed(verdict.name, false),
+    }, h('span', { class: 'mark' }, icon(icons[kind])), h('span', { class: 'words' }, prose(shortWords(verdict))),
     h('span', { class: 'sr-only' }, `, ${verdict.verdict}`), verdict.steps !== null && h('span', { class: 'steps-count', title: plural(verdict.steps, 'step') }, String(verdict.steps)));
   }
 
@@ -90,7 +110,9 @@ export class VerdictsView {
     return [...this.list.querySelectorAll<HTMLElement>('.verdict')];
   }
 
-  private pick(verdict: Verdict, focus: boolean): void {
+  private pickNamed(name: string | undefined, focus: boolean): void {
+    const verdict = this.program?.verdicts.find((it) => it.name === name);
+    if (!verdict) return;
     this.select(verdict.name);
     this.choose(verdict, focus);
   }
@@ -101,14 +123,21 @@ export class VerdictsView {
     const to = { ArrowDown: at + 1, j: at + 1, ArrowUp: at - 1, k: at - 1, Home: 0, End: all.length - 1 }[event.key];
     if (to !== undefined) {
       const option = all[Math.min(Math.max(to, 0), all.length - 1)];
-      for (const it of all) it.tabIndex = it === option ? 0 : -1;
+      this.reach(all, option);
       option?.focus();
     } else if (event.key === 'Enter' || event.key === ' ') {
-      const verdict = this.program?.verdicts.find((it) => it.name === all[at]?.dataset['name']);
-      if (verdict) this.pick(verdict, event.key === 'Enter');
+      this.pickNamed(all[at]?.dataset['name'], event.key === 'Enter');
     } else return;
     event.preventDefault();
   }
+}
+
+function groupOf(subject: string): { element: HTMLElement; name: HTMLElement } {
+  return { element: h('div', { role: 'group', 'aria-label': subject, class: 'subject' }), name: h('div', { class: 'subject-name' }, subject) };
+}
+
+function markSelected(option: HTMLElement, isSelected: boolean): void {
+  if (option.getAttribute('aria-selected') !== String(isSelected)) option.setAttribute('aria-selected', String(isSelected));
 }
 
 /** Without the subject's name at the beginning, which is shown above. */
