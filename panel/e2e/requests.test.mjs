@@ -64,6 +64,24 @@ test('an automaton comes without another before it', async () => {
   assert.deepEqual(await requested('automaton', { picture: { kind: 'sv', name: 'door' } }, '.stage[data-picture="sv door"]'), ['hello', 'picture door']);
 });
 
+for (const held of ['hello', 'trace'])
+  test(`keys that are pressed before the answer to "${held}" step through the trace when it is there`, async () => {
+    answers.trace.steps = steps;
+    const it = await opened('trace', { show: { trace: 't', step: 0 } }, held);
+    await it.waitForFunction((name) => window.requests.some((it) => it.startsWith(name)), held);
+    await it.evaluate(() => {
+      window.left = [];
+      addEventListener('keydown', ({ key }) => { window.left.push(key); }); // as VS Code does
+    });
+    for (const key of ['ArrowDown', 'ArrowDown', 'ArrowUp', 'ArrowDown']) await it.keyboard.press(key);
+    await it.evaluate(() => window.release());
+    await it.locator('#step-2.current').waitFor();
+    await it.keyboard.press('ArrowDown');
+    await it.locator('#step-3.current').waitFor();
+    assert.equal(await it.evaluate(() => window.left.length), 5, 'VS Code gets each key once');
+    assert.deepEqual(it.complaints, []);
+  });
+
 test('a trace alone makes no list of verdicts, and compares with those that have changed', async () => {
   const verdicts = ['p', 'q', 'r'].map((name) => verdict(name, { steps: name === 'r' ? null : 5 }));
   const it = await opened('trace', { show: { trace: 't', step: 0 }, program: { ...program, verdicts } });

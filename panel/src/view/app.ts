@@ -5,6 +5,7 @@ import { open } from '../model/parse.ts';
 import { withChanges } from '../model/verdict_changes.ts';
 import { AutomatonView } from './automaton_view.ts';
 import { h } from './dom.ts';
+import { EarlyKeys } from './early_keys.ts';
 import { button, enable } from './icons.ts';
 import { RunView } from './run_view.ts';
 import { Saver } from './save.ts';
@@ -20,8 +21,9 @@ type Tab = 'trace' | 'automaton' | 'simulation';
 
 /** Requests programs from the host, and shows them. */
 export async function start(root: HTMLElement, host: Host): Promise<void> {
+  const keys = new EarlyKeys(root);
   try {
-    new App(root, host, await host.request('hello', {}));
+    new App(root, host, keys, await host.request('hello', {}));
   } catch (error) {
     root.replaceChildren(h('div', { class: 'empty' }, h('p', {}, 'The panel could not be opened.'), h('p', { class: 'faint' }, (error as Error).message)));
   }
@@ -56,7 +58,7 @@ class App {
   /** the program before a verification that ended while a trace was requested */
   private unrenewed: Program | null = null;
 
-  constructor(root: HTMLElement, host: Host, private readonly hello: Hello) {
+  constructor(root: HTMLElement, host: Host, private readonly keys: EarlyKeys, private readonly hello: Hello) {
     this.root = root;
     this.host = this.watched(host);
     this.remembered = { ...hello.remembered };
@@ -99,7 +101,7 @@ class App {
     document.body.classList.add(`layout-${layout}`);
     if (layout === 'trace') {
       // the keyboard moves through steps
-      window.addEventListener('focus', () => document.activeElement === document.body && this.trace.focus());
+      window.addEventListener('focus', () => document.activeElement === document.body && this.focusTrace());
       return this.root.replaceChildren(this.trace.element, this.toast);
     }
     if (layout === 'automaton') return this.root.replaceChildren(this.automaton.element, this.toast);
@@ -156,6 +158,13 @@ class App {
     return list;
   }
 
+  /** The list of steps takes keys, those included that were pressed while the trace was read. */
+  private focusTrace(): void {
+    this.trace.focus();
+    const list = document.activeElement;
+    if (this.trace.trace && list && this.trace.element.contains(list)) this.keys.pass(list);
+  }
+
   private tabKey(event: KeyboardEvent): void {
     if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return;
     const names = [...this.tabs.keys()];
@@ -190,7 +199,7 @@ class App {
       if (trace && !(await this.reopen(trace, step))) this.wanted = { trace, ...(step !== undefined && { step }) };
     }
     if (this.hello.layout === 'simulation') await this.simulation?.begin(run);
-    if (this.hello.layout === 'trace' && document.hasFocus() && document.activeElement === document.body) this.trace.focus();
+    if (this.hello.layout === 'trace' && document.hasFocus() && document.activeElement === document.body) this.focusTrace();
     await this.showFirst();
   }
 
@@ -268,7 +277,7 @@ class App {
       const keyboard = document.activeElement;
       const isShown = await this.fetchTrace(verdict.name);
       // a user who has moved the focus elsewhere keeps it
-      if (isShown && focus && (document.activeElement === keyboard || document.activeElement === document.body)) this.trace.focus();
+      if (isShown && focus && (document.activeElement === keyboard || document.activeElement === document.body)) this.focusTrace();
     } else {
       this.say(verdict.reason || `${verdict.verdict}: there is no trace for this verdict`);
       if (verdict.location) this.host.tell('reveal', { location: verdict.location, focus: false });
