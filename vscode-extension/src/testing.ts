@@ -1,5 +1,6 @@
 import * as vscode from 'vscode';
 import type { Client } from './client';
+import { LiveResults } from './live_results';
 import { locationOf } from './places';
 import type { Programs } from './programs';
 import * as protocol from './protocol';
@@ -12,27 +13,16 @@ type Node =
   | { kind: 'subject'; program: string; properties: string[] }
   | { kind: 'property'; program: string; name: string };
 
+/** Milliseconds until the list of properties is read again, also after the last edit: then VS Code moves its marks with the text meanwhile. */
 const kRefresh = 400;
-
-/** The last state of a program that the Testing view received. */
-interface Told {
-  /** texts and versions that the verdicts are for */
-  texts: string;
-  list: panel.Verdict[];
-  /** by name of the property */
-  verdicts: Map<string, string>;
-  isSaved: boolean;
-}
+const kRefreshEdited = 2000;
 
 /** The Testing view: program, skill, property. */
 export class Testing implements vscode.Disposable {
   private readonly controller = vscode.tests.createTestController('proskill', 'ProSkill');
   private readonly nodes = new WeakMap<vscode.TestItem, Node>();
-  /** by program */
-  private readonly live = new Map<string, Told>();
+  private readonly live: LiveResults;
   private readonly subscriptions: vscode.Disposable[];
-  /** programs whose results were marked as outdated, and have no new ones */
-  private readonly outdated = new Set<string>();
   private due: NodeJS.Timeout | undefined;
   private asked = 0;
   private readonly results: Results;
@@ -41,6 +31,11 @@ export class Testing implements vscode.Disposable {
 
   constructor(private readonly client: Client, private readonly programs: Programs, memory: vscode.Memento) {
     this.results = new Results(memory);
+    this.live = new LiveResults(this.controller, programs, {
+      itemsOf: (program) => this.itemsOf(program),
+      show: (run, items, verdicts, seconds) => this.tell(run, items, verdicts, seconds, false),
+      save: ({ program, verdicts, texts, exploration }) => void this.results.save(program, verdicts, texts, exploration?.seconds ?? 0),
+    });
     this.controller.createRunProfile(
       'Verify', vscode.TestRunProfileKind.Run, (request, token) => this.run(request, token), true);
     this.controller.refreshHandler = () => this.refresh();
@@ -49,7 +44,7 @@ export class Testing implements vscode.Disposable {
       else await this.refresh();
     };
     this.subscriptions = [
-      this.controller,
+      this.controller, this.live,
       client.onLife((life) => {
         if (life === 'running') this.soon();
       }),
@@ -75,23 +70,16 @@ export class Testing implements vscode.Disposable {
 
   // ---- the tree ---------------------------------------------------------------------------------
 
-  private soon(): void {
+  private soon(delay = kRefresh): void {
     clearTimeout(this.due);
-    this.due = setTimeout(() => void this.refresh(), kRefresh);
+    this.due = setTimeout(() => void this.refresh(), delay);
   }
 
-  /**
-   * Marks the results as outdated. VS Code shows this in the tree; it redraws marks in the gutter only if a verdict changes, and does not reliably
-   * remove a mark that is added again at once. In a large program this takes time at each key, so it is done once until there are new results.
-   */
   private edited(uri: vscode.Uri): void {
-    this.soon();
+    this.soon(kRefreshEdited);
     const programs = new Set([uri.toString(), ...this.programs.of(uri).map(({ program }) => program)]);
-    for (const [, item] of this.controller.items) {
-      if (this.outdated.has(item.id) || (!programs.has(item.id) && item.uri?.toString() !== uri.toString())) continue;
-      this.outdated.add(item.id);
-      this.controller.invalidateTestResults(item);
-    }
+    for (const [, item] of this.controller.items)
+      if (programs.has(item.id) || item.uri?.toString() === uri.toString()) this.live.edited(item);
   }
 
   private async refresh(): Promise<void> {
@@ -151,7 +139,7 @@ export class Testing implements vscode.Disposable {
       const saved = await this.results.of(program);
       if (!saved || this.live.has(program)) continue;
       await this.list(item);
-      this.tellAll(item, saved.verdicts as panel.Verdict[], saved.seconds);
+      this.tellSaved(item, saved.verdicts as panel.Verdict[], saved.seconds);
     }
   }
 
@@ -218,6 +206,7 @@ export class Testing implements vscode.Disposable {
       const names = this.isAll(program, items) ? [] : items.map((item) => this.nameOf(item));
       const result = await this.client.ask(
         protocol.verify, { textDocument: { uri: program }, names }, cancelled.token);
+      this.live.ran(program, result.verdicts);
       this.tell(run, items, result.verdicts, result.exploration.seconds);
       void this.results.save(result.program, result.verdicts, result.texts, result.exploration.seconds);
       run.appendOutput(summary(program, result).replace(/\n/g, '\r\n'));
@@ -230,10 +219,6 @@ export class Testing implements vscode.Disposable {
       stop.dispose();
       cancelled.dispose();
     }
-  }
-
-  private programOf(item: vscode.TestItem): string {
-    return this.nodes.get(item)?.program ?? item.id;
   }
 
   private nameOf(item: vscode.TestItem): string {
@@ -254,7 +239,6 @@ export class Testing implements vscode.Disposable {
   private tell(run: vscode.TestRun, items: vscode.TestItem[], verdicts: panel.Verdict[], seconds: number, messages = true): void {
     const byName = new Map(verdicts.map((verdict) => [verdict.name, verdict]));
     const share = seconds * 1000 / Math.max(verdicts.length, 1);
-    for (const item of items) this.outdated.delete(this.programOf(item));
     for (const item of items) {
       const verdict = byName.get(this.nameOf(item));
       const message = (): vscode.TestMessage | [] => (verdict && messages ? messageOf(item, verdict) : []);
@@ -269,30 +253,20 @@ export class Testing implements vscode.Disposable {
 
   /** Shows no messages and opens nothing, since the text and the status bar already report everything. */
   private news(program: protocol.Verdicts): void {
-    const item = this.controller.items.get(program.program);
-    if (!item) this.soon();
-    const isKnown = program.state === 'done' || program.state === 'checking';
-    if (!item || !isKnown || program.stale || !program.verdicts.length) return;
-    const texts = JSON.stringify(program.texts);
-    const known = this.live.get(program.program);
-    const told: Told = known?.texts === texts ? known : { texts, list: [], verdicts: new Map(), isSaved: false };
-    this.live.set(program.program, told);
-    const seconds = program.exploration?.seconds ?? 0;
-    if (told.list !== program.verdicts) {
-      told.list = program.verdicts;
-      const decided = program.verdicts.filter(({ name, verdict, pending }) => !pending && told.verdicts.get(name) !== verdict);
-      for (const { name, verdict } of decided) told.verdicts.set(name, verdict);
-      if (decided.length) this.tellAll(item, decided, seconds);
-      told.isSaved &&= !decided.length;
-    }
-    if (program.state !== 'done' || told.isSaved) return;
-    told.isSaved = true;
-    void this.results.save(program.program, program.verdicts, program.texts, seconds);
+    if (this.controller.items.get(program.program)) this.live.take(program);
+    else this.soon();
   }
 
-  private tellAll(item: vscode.TestItem, verdicts: panel.Verdict[], seconds: number): void {
+  /** The properties of a program by name. */
+  private itemsOf(program: string): Map<string, vscode.TestItem> {
+    const items = new Map<string, vscode.TestItem>();
+    this.controller.items.get(program)?.children.forEach((subject) => subject.children.forEach((item) => items.set(this.nameOf(item), item)));
+    return items;
+  }
+
+  private tellSaved(item: vscode.TestItem, verdicts: panel.Verdict[], seconds: number): void {
     const request = new vscode.TestRunRequest([item], undefined, undefined, true, true);
-    const run = this.controller.createTestRun(request, 'Live verification', false);
+    const run = this.controller.createTestRun(request, 'Earlier verification', false);
     const decided = new Set(verdicts.map(({ name }) => name));
     const items = [...this.selected(request).values()].flat().filter((it) => decided.has(this.nameOf(it)));
     this.tell(run, items, verdicts, seconds, false);
