@@ -26,14 +26,21 @@ export class CodeServer {
     return server;
   }
 
-  constructor(folder) {
+  /** Without the extension: its programs are texts in the Lisp that the editor knows. */
+  static async plain(folder) {
+    const server = new CodeServer(folder, { 'files.associations': { '*.proskill': 'clojure' }, 'security.workspace.trust.enabled': false });
+    await server.listen();
+    return server;
+  }
+
+  constructor(folder, settings = {}) {
     this.home = mkdtempSync(join(tmpdir(), 'proskill-editor-'));
     this.entry = join(folder, 'node_modules/code-server/out/node/entry.js');
     this.env = { ...process.env, HOME: this.home, XDG_CACHE_HOME: join(this.home, 'cache'), XDG_CONFIG_HOME: join(this.home, 'config'), XDG_DATA_HOME: join(this.home, 'share') };
     delete this.env.VSCODE_IPC_HOOK_CLI;
     this.folders = ['--user-data-dir', join(this.home, 'data'), '--extensions-dir', join(this.home, 'extensions')];
     mkdirSync(join(this.home, 'data/User'), { recursive: true });
-    writeFileSync(this.settingsFile, JSON.stringify(kSettings));
+    writeFileSync(this.settingsFile, JSON.stringify({ ...kSettings, ...settings }));
   }
 
   get settingsFile() {

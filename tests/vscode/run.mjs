@@ -1,5 +1,7 @@
 // The extension in the real editor:  node run.mjs PROSKILL OUT [SCENARIO…]
 // OUT gets the .vsix and a picture of each scenario. 77 says that it cannot run here, and why.
+// VERBOSE=1 prints where failures are, and what takes longer than half a second.
+// Scenarios that are named run in the order of the list, in a workspace that is trusted unless `untrusted` is among them.
 import { execFileSync } from 'node:child_process';
 import { cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -49,11 +51,34 @@ async function failureOf(world, name, scenario) {
   }
 }
 
+/** The editor, which prints the calls that take long. */
+const slowPrinted = (editor) => new Proxy(editor, {
+  get(target, name, self) {
+    const found = Reflect.get(target, name, self);
+    if (found?.constructor?.name !== 'AsyncFunction' && !['command', 'answer'].includes(name)) return found;
+    return async (...args) => {
+      const begin = Date.now();
+      try {
+        return await found.apply(target, args);
+      } finally {
+        if (Date.now() - begin > 500) console.log(`        ${name} ${args.join(' ')}: ${((Date.now() - begin) / 1000).toFixed(1)} s`);
+      }
+    };
+  },
+});
+
+/** The scenarios to run. Nothing is verified before the workspace is trusted, so scenarios that are chosen from the list begin with that. */
+function chosen() {
+  const unknown = only.filter((name) => !scenarios[name]);
+  if (unknown.length) throw new Error(`no such scenario: ${unknown.join(', ')}`);
+  const trusts = only.length && !only.includes('untrusted') ? ['trusted'] : [];
+  return Object.entries(scenarios).filter(([name]) => !only.length || [...trusts, ...only].includes(name));
+}
+
 /** The names of those that fail twice: the editor is a separate program, and sometimes slow on a busy machine. scripts/summary.py reports those that fail once. */
 async function play(world) {
   const failures = [];
-  for (const [name, scenario] of Object.entries(scenarios)) {
-    if (only.length && !only.includes(name)) continue;
+  for (const [name, scenario] of chosen()) {
     const reason = await failureOf(world, name, scenario);
     if (reason === undefined) continue;
     console.log(`again   ${name}`);
@@ -61,6 +86,26 @@ async function play(world) {
     else console.log(`retried: ${name}: ${reason}\nCTEST_FULL_OUTPUT`); // else ctest cuts off the line
   }
   return failures;
+}
+
+async function newPage(browser) {
+  const page = await browser.newPage({ viewport: { width: 1440, height: 900 }, permissions: ['clipboard-read', 'clipboard-write'] });
+  page.setDefaultTimeout(90_000);
+  return page;
+}
+
+/** Uses an editor without the extension, on the same folder: what takes time there is not ours. */
+async function withPlainEditor(folder, browser, root, use) {
+  const server = await CodeServer.plain(folder);
+  const page = await newPage(browser);
+  try {
+    const editor = new Editor(page, pictures);
+    await editor.open(server.url, root);
+    return await use(editor);
+  } finally {
+    await page.close();
+    server.stop();
+  }
 }
 
 async function main() {
@@ -79,14 +124,14 @@ async function main() {
   const root = workspace();
   const server = await CodeServer.start(folder, vsix);
   const browser = await chromium.launch({ executablePath, args: ['--no-sandbox', '--disable-gpu'] });
-  const page = await browser.newPage({ viewport: { width: 1440, height: 900 }, permissions: ['clipboard-read', 'clipboard-write'] });
-  page.setDefaultTimeout(90_000);
+  const page = await newPage(browser);
   const consoleLines = [];
   page.on('console', (message) => consoleLines.push(`${message.type()}: ${message.text()}`));
   try {
-    const editor = new Editor(page, pictures);
+    const editor = process.env.VERBOSE ? slowPrinted(new Editor(page, pictures)) : new Editor(page, pictures);
     await editor.open(server.url, root);
-    const failures = await play({ editor, page, server, root, proskill: resolve(proskill), tree, out: resolve(out) });
+    const plain = (use) => withPlainEditor(folder, browser, root, use);
+    const failures = await play({ editor, page, server, root, proskill: resolve(proskill), tree, out: resolve(out), plain });
     console.log(`${((Date.now() - began) / 1000).toFixed(0)} s in all; pictures in ${pictures}`);
     return failures.length ? 1 : 0;
   } finally {

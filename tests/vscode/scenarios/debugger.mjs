@@ -73,7 +73,7 @@ export const scenarios = {
 
   /** F5 without a configuration simulates: the user chooses a step, undoes it, and chooses another. */
   async simulation({ editor, page }) {
-    await editor.command('View: Close All Editors');
+    await editor.closeAll();
     await editor.openFile('lift/lift.proskill');
     await editor.press('F5');
     await page.locator('.debug-toolbar').waitFor();
@@ -94,6 +94,6 @@ export const scenarios = {
     await editor.picture('simulation-stepped');
     await editor.press('Shift+F5');
     await page.locator('.debug-toolbar').waitFor({ state: 'hidden' });
-    await editor.command('View: Close All Editors');
+    await editor.closeAll();
   },
 };

@@ -93,7 +93,7 @@ export const scenarios = {
     equal('messages', await page.locator('.notification-toast').count(), 0);
     await editor.press('Control+1', 'Control+z');
     await editor.squiggles().first().waitFor({ state: 'detached' });
-    await editor.command('View: Close All Editors');
+    await editor.closeAll();
   },
 
   /** `energy` is defined in one file of the rover and used in others. */
@@ -118,7 +118,7 @@ export const scenarios = {
 
   /** Opens only a file that others include: after a restart the status is that of its program. */
   async restarted({ editor, server }) {
-    await editor.command('View: Close All Editors');
+    await editor.closeAll();
     await editor.openFile('rover/world.proskill');
     await editor.statusSays(kVerified, 60_000);
     const before = server.servers().map(({ pid }) => pid);

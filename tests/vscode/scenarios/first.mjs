@@ -41,7 +41,7 @@ async function timed(figures, name, action, shown) {
 export const scenarios = {
   /** An empty file, a first program, a counterexample, its repair. */
   async first_minutes({ editor, page }) {
-    await editor.command('View: Close All Editors');
+    await editor.closeAll();
     const begin = Date.now();
     await editor.command('ProSkill: New Program');
     await page.locator('.tab.active').filter({ hasText: 'Untitled' }).waitFor();
@@ -71,11 +71,8 @@ export const scenarios = {
     const seconds = (to) => ((to - begin) / 1000).toFixed(0);
     console.log(`        a first counterexample after ${seconds(found)} s, repaired after ${seconds(Date.now())} s, at ${kDelay} ms a key, load ${loadavg()[0].toFixed(1)}`);
     await editor.picture('first-holds');
-    await expect('an empty text', async () => {
-      await editor.press('Control+1', 'Control+z');
-      return !(await page.locator('.tab.active.dirty').count());
-    });
-    await editor.command('View: Close All Editors');
+    await editor.emptyText();
+    await editor.closeAll();
   },
 
   /**
@@ -83,7 +80,7 @@ export const scenarios = {
    * its end, typing what the editor has closed adds nothing, and Enter after the name of an outcome takes no snippet. After `:body` it takes the parentheses of the body.
    */
   async typed_lines({ editor, page }) {
-    await editor.command('View: Close All Editors');
+    await editor.closeAll();
     await editor.command('ProSkill: New Program');
     await page.locator('.tab.active').filter({ hasText: 'Untitled' }).waitFor();
     for (const [count, line] of kTyped.entries()) {
@@ -92,16 +89,13 @@ export const scenarios = {
     }
     await expect('the definition as typed, formatted', async () => words(await shownText(page)).replace(kDuration, '') === kFormatted);
     await editor.picture('typed_lines');
-    await expect('an empty text', async () => {
-      await editor.press('Control+z');
-      return !(await page.locator('.tab.active.dirty').count());
-    });
-    await editor.command('View: Close All Editors');
+    await editor.emptyText();
+    await editor.closeAll();
   },
 
   /** Definitions are offered where they may begin, with or without the parenthesis. */
   async offered({ editor, page }) {
-    await editor.command('View: Close All Editors');
+    await editor.closeAll();
     await editor.command('ProSkill: New Program');
     await page.locator('.tab.active').filter({ hasText: 'Untitled' }).waitFor();
     const list = page.locator('.suggest-widget.visible .monaco-list-row');
@@ -113,11 +107,8 @@ export const scenarios = {
       await expect('a composite skill', async () => /^\(defskill mission :success done :failure gave_up :body \(\(skill\).*\)$/.test(words(await shownText(page))));
       await editor.press('Escape', 'Control+a', 'Delete');
     }
-    await expect('an empty text', async () => {
-      await editor.press('Escape', 'Control+z');
-      return !(await page.locator('.tab.active.dirty').count());
-    });
-    await editor.command('View: Close All Editors');
+    await editor.emptyText();
+    await editor.closeAll();
   },
 
   /** From a click on a lens to its result, with and without an open panel. What the editor itself takes for a page, its Markdown preview shows. */
@@ -127,7 +118,7 @@ export const scenarios = {
     await editor.openFile('drone/README.md');
     const preview = async () => (await editor.panel('body.vscode-body')).locator('h1').first().waitFor();
     await timed(figures, "the editor's own preview", () => page.locator('.editor-actions .action-label[aria-label^="Open Preview to the Side"]').first().click(), preview);
-    await editor.command('View: Close All Editors');
+    await editor.closeAll();
     await editor.openFile(kDrone);
     await editor.goTo(161);
     await editor.statusSays(/\d+ bad, \d+ warnings?/, 60_000);
@@ -144,7 +135,7 @@ export const scenarios = {
     await timed(figures, 'trace again', () => mission.locator('a', { hasText: '✗ 2 bad' }).first().click(), trace);
     equal('the trace', await frame.locator('.trace-head h2').getAttribute('title'), name);
     console.log(`        ${figures.join(', ')}; load ${begin} to ${loadavg()[0].toFixed(1)}`);
-    await editor.command('View: Close All Editors');
+    await editor.closeAll();
   },
 
   /** After inserting two lines above: results, lenses and squiggles are at their statements. */
@@ -181,6 +172,6 @@ export const scenarios = {
     await editor.picture('lines_above');
     await editor.openFile('ids/shifted.proskill');
     await editor.command('File: Revert File');
-    await editor.command('View: Close All Editors');
+    await editor.closeAll();
   },
 };

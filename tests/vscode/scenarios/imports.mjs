@@ -32,7 +32,7 @@ export const scenarios = {
     await editor.command('ProSkill: Import');
     await page.locator('.monaco-dialog-box', { hasText: 'these changes are lost' }).locator('.monaco-button', { hasText: 'Cancel' }).click();
     equal('the program that was there', readFileSync(join(root, kProgram), 'utf8') === wanted, true);
-    await editor.command('View: Close All Editors');
+    await editor.closeAll();
   },
 
   /** The lamp of a behavior tree with an error: the error is marked at its place, and nothing is written. */
@@ -47,7 +47,7 @@ export const scenarios = {
     await editor.squiggles().first().waitFor();
     await editor.picture('import_fails');
     await editor.command('Notifications: Clear All Notifications');
-    await editor.command('View: Close All Editors');
+    await editor.closeAll();
   },
 
   /** A dropped component is inserted as its services. */
@@ -57,6 +57,6 @@ export const scenarios = {
     await drop(page, 'gripper/all.proskill', `vscode-remote://${new URL(page.url()).host}${join(root, 'gripper/gripper.gen')}`);
     await expect('the services in the program', async () => (await page.locator('.monaco-editor[data-uri$="all.proskill"] .view-line', { hasText: 'calibrate_done' }).count()) > 0, 10_000);
     await editor.command('File: Revert File');
-    await editor.command('View: Close All Editors');
+    await editor.closeAll();
   },
 };

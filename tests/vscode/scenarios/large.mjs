@@ -1,67 +1,71 @@
-// Programs of thousands of lines: typing during verification, and visible parts first. PROSKILL_TYPE_SECONDS=300 types for five minutes; the tests
-// type long enough to show that nothing moves.
+// Programs of thousands of lines: typing during verification, and visible parts first. The tests type long enough to show that nothing moves.
+// PROSKILL_TYPE_SECONDS=300 types for five minutes, and as much in an editor without the extension, by turns: the machine may be busy.
+// PROSKILL_TYPE_PROFILE=trace.json writes what Chromium does meanwhile, for chrome://tracing.
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { loadavg } from 'node:os';
 import { join } from 'node:path';
-import { equal, expect } from '../expect.mjs';
+import { equal } from '../expect.mjs';
 import { largeProgram } from '../large_program.mjs';
+import { profiled } from '../profile.mjs';
+import { Typist } from '../typist.mjs';
 
 const kFile = 'large/large.proskill';
+const kPlain = 'large/plain.proskill';
 const kViewed = 'large/viewed.proskill';
 const kProperty = 'stays_shut';
-const kSeconds = Number(process.env.PROSKILL_TYPE_SECONDS ?? 15);
-const kWords = 'what a person types while the program is verified again and again stays where it was typed'.split(' ');
-const kWordsALine = 12;
-
-/** Milliseconds from each key to the mutation that shows it, within the painted frame; one mutation can show several keys. */
-const watchKeys = (page) => page.evaluate((end) => {
-  const editor = [...document.querySelectorAll('.monaco-editor[data-uri]')].find((it) => it.dataset.uri.endsWith(end));
-  let pressed = [];
-  window.keyTimes = [];
-  addEventListener('keydown', (event) => pressed.push(event.timeStamp), true);
-  new MutationObserver(() => {
-    const now = performance.now();
-    window.keyTimes.push(...pressed.map((time) => now - time));
-    pressed = [];
-  }).observe(editor.querySelector('.view-lines'), { subtree: true, childList: true, characterData: true });
-}, kFile);
+const kMeasured = Number(process.env.PROSKILL_TYPE_SECONDS ?? 0);
+const kSeconds = kMeasured || 8;
 
 function write(root, file, text) {
   mkdirSync(join(root, 'large'), { recursive: true });
   writeFileSync(join(root, file), text);
 }
 
-const part = (sorted, at) => sorted[Math.min(sorted.length - 1, Math.floor(sorted.length * at))].toFixed(0);
+const told = ({ keys, p50, p95, most }) => `${keys} keys, p50 ${p50.toFixed(0)}, p95 ${p95.toFixed(0)}, most ${most.toFixed(0)} ms`;
 
-/** Types words into comments until the time limit; returns the text, and how often the caret was in a wrong position. */
-async function typeFor(editor, page, seconds, line) {
-  const end = Date.now() + seconds * 1000;
-  let typed = '';
-  let moved = 0;
-  for (let count = 0; count === 0 || Date.now() < end; ++count) {
-    const begins = count % kWordsALine === 0;
-    // no blank before Enter, which removes it
-    const word = `${begins ? `${count ? '\n' : ''};` : ''} ${kWords[count % kWords.length]}`;
-    for (const key of word) await (key === '\n' ? editor.press('Enter') : editor.type(key));
-    typed += word;
-    const last = typed.split('\n');
-    const wanted = `Ln ${line + last.length - 1}, Col ${last.at(-1).length + 1}`;
-    await page.waitForTimeout(count % 4 === 3 ? 900 : 60); // a pause starts a verification
-    if ((await editor.caret()) !== wanted) {
-      // the status bar is updated a little later than the text
-      await expect('the caret', async () => (await editor.caret()) === wanted, 3000).catch(() => { ++moved; });
+/** Types in the editor, and after each line in one without the extension. */
+async function typeByTurns({ editor, page, root, plain }, typist, text) {
+  write(root, kPlain, text);
+  await plain(async (other) => {
+    await other.openFile(kPlain);
+    const baseline = new Typist(other, kPlain, typist.line);
+    await baseline.begin();
+    while (typist.spent < kSeconds * 1000) {
+      await page.bringToFront();
+      await typist.typeLine();
+      await editor.statusSays(/\d+ bad(?!.*outdated)/, 300_000); // the verification would slow the other one
+      await other.page.bringToFront();
+      await baseline.typeLine();
     }
-  }
-  return { typed, moved };
+    await page.bringToFront();
+    const [ours, others] = [await typist.times(), await baseline.times()];
+    console.log(`        without the extension: ${told(others)}; with it, p50 ${(ours.p50 / others.p50).toFixed(2)} and p95 ${(ours.p95 / others.p95).toFixed(2)} times as long`);
+  });
+}
+
+async function typeAlone(typist) {
+  while (typist.spent < kSeconds * 1000) await typist.typeLine();
+}
+
+/** The text on the disk, compared with what was typed below a line. */
+function checkText(path, lines, { line, typed }) {
+  const wanted = [...lines.slice(0, line - 1), ...typed.split('\n'), ...lines.slice(line)];
+  const found = readFileSync(path, 'utf8').split('\n');
+  const other = Math.max(found.findIndex((it, at) => it !== wanted[at]), 0);
+  equal(`the text from line ${other + 1}`, found.slice(other, other + 3), wanted.slice(other, other + 3));
+  equal('the number of lines', found.length, wanted.length);
 }
 
 export const scenarios = {
   /** 10,000 lines with an open trace and live verification. */
-  async typing_large({ editor, page, root }) {
+  async typing_large(world) {
+    const { editor, page, root } = world;
     const text = largeProgram(10_000);
     write(root, kFile, text);
-    await editor.command('View: Close All Editors');
+    await editor.closeAll();
     await editor.openFile(kFile);
+    const lines = text.split('\n');
+    await editor.goTo(lines.findIndex((it) => it.startsWith('(defproperty')) + 1); // what is in view is verified first
     await editor.statusSays(/bad/, 120_000);
     await editor.command('ProSkill: Open Trace');
     await editor.answer(kProperty);
@@ -70,26 +74,19 @@ export const scenarios = {
     await frame.locator('.steps').press('ArrowDown');
     await frame.locator('#step-1.current').waitFor();
     await editor.openFile(kFile);
-    const lines = text.split('\n');
-    const line = lines.indexOf('', Math.floor(lines.length / 2)) + 1;
-    await editor.goTo(line);
-    await watchKeys(page);
+    const typist = new Typist(editor, kFile, lines.indexOf('', Math.floor(lines.length / 2)) + 1);
+    await typist.begin();
     const load = loadavg()[0].toFixed(1);
-    const { typed, moved } = await typeFor(editor, page, kSeconds, line);
-    const times = (await page.evaluate(() => window.keyTimes)).sort((a, b) => a - b);
-    console.log(`        ${typed.length} keys in ${kSeconds} s, load ${load} to ${loadavg()[0].toFixed(1)}: ` +
-      `p50 ${part(times, 0.5)}, p95 ${part(times, 0.95)}, most ${times.at(-1).toFixed(0)} ms; ${moved} times the caret was elsewhere`);
-    equal('times that the caret was elsewhere', moved, 0);
-    equal('keys that were shown', times.length, typed.length);
+    await profiled(page, () => (kMeasured ? typeByTurns(world, typist, text) : typeAlone(typist)));
+    const times = await typist.times();
+    console.log(`        ${told(times)} in ${(typist.spent / 1000).toFixed(0)} s, load ${load} to ${loadavg()[0].toFixed(1)}; ${typist.moved} times the caret was elsewhere`);
+    equal('times that the caret was elsewhere', typist.moved, 0);
+    equal('keys that were shown', times.keys, typist.typed.length);
     equal('the step', await frame.locator('.step.current .number').textContent(), '2');
     await editor.picture('typing_large');
     await editor.save();
-    const wanted = [...lines.slice(0, line - 1), ...typed.split('\n'), ...lines.slice(line)];
-    const found = readFileSync(join(root, kFile), 'utf8').split('\n');
-    const other = Math.max(found.findIndex((it, at) => it !== wanted[at]), 0);
-    equal(`the text from line ${other + 1}`, found.slice(other, other + 3), wanted.slice(other, other + 3));
-    equal('the number of lines', found.length, wanted.length);
-    await editor.command('View: Close All Editors');
+    checkText(join(root, kFile), lines, typist);
+    await editor.closeAll();
   },
 
   /** 5,000 lines whose verification takes long: visible properties are decided first, and no worker is killed. */
@@ -106,6 +103,6 @@ export const scenarios = {
     equal('a worker that was killed', /signal/.test(said), false);
     // if the machine has decided all by now, the order is unknown
     if (done) equal('properties decided before', Number(done) < Number(total), true);
-    await editor.command('View: Close All Editors');
+    await editor.closeAll();
   },
 };

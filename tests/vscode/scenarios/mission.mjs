@@ -34,7 +34,7 @@ export const scenarios = {
     writeFileSync(join(root, kFile), kProgram);
     writeFileSync(join(root, 'mission/platform.json'), JSON.stringify(kPlatform));
     writeFileSync(join(root, '.vscode/settings.json'), JSON.stringify({ 'proskill.run.platform': 'mission/platform.json' }));
-    await editor.command('View: Close All Editors');
+    await editor.closeAll();
     await editor.openFile(kFile);
     await editor.goTo(4, 3);
     await editor.command('ProSkill: Run Mission');
@@ -60,7 +60,7 @@ export const scenarios = {
     const trace = await editor.panel('.layout-trace .trace-view');
     await expect('the recording as a trace', async () => (await trace.locator('.row.step').count()) > 5);
     await editor.picture('mission-recording');
-    await editor.command('View: Close All Editors');
+    await editor.closeAll();
     writeFileSync(join(root, '.vscode/settings.json'), '{}');
   },
 };

@@ -59,13 +59,13 @@ export const scenarios = {
     for (const [what, { lens, mission, battery }] of Object.entries(kPanels)) {
       const [opened, open] = [[], []];
       for (let count = 0; count < kTimes; ++count) {
-        await editor.command('View: Close All Editors');
+        await editor.closeAll();
         opened.push(await clickToView(world, lens, '(defskill uav_mission', mission));
         open.push(await clickToView(world, lens, '(defsv battery', battery));
       }
       console.log(`        click to ${what}: ${told(opened)}; with the panel open: ${told(open)}; load ${loadavg()[0].toFixed(1)}`);
       equal(`times to the ${what}`, [...opened, ...open].every((time) => time > 0), true);
     }
-    await editor.command('View: Close All Editors');
+    await editor.closeAll();
   },
 };

@@ -105,6 +105,6 @@ export const scenarios = {
     }
     await editor.theme('Dark Modern');
     await frame.locator('body.vscode-dark').waitFor();
-    await editor.command('View: Close All Editors');
+    await editor.closeAll();
   },
 };

@@ -35,7 +35,7 @@ export const scenarios = {
     const { editor, root } = world;
     mkdirSync(join(root, 'simulated'), { recursive: true });
     writeFileSync(join(root, kFile), kProgram);
-    await editor.command('View: Close All Editors');
+    await editor.closeAll();
     await editor.openFile(kFile);
     await editor.goTo(1);
     await editor.command('ProSkill: Simulate: Choose What Happens Next');
@@ -71,13 +71,13 @@ export const scenarios = {
     await expect('the whole run', async () => (await steps(frame)) === all);
     equal('the caret, which is the user\'s', await editor.caret(), 'Ln 5, Col 12');
     await editor.command('File: Revert File');
-    await editor.command('View: Close All Editors');
+    await editor.closeAll();
     // The test in another session.
     await editor.openFile(kFile);
     await openFromFile(world, 'mission.run.json');
     frame = await editor.panel('.simulation-view');
     await frame.locator('.notice.passed').filter({ hasText: 'The test passes' }).waitFor();
     await editor.picture('simulation-passes');
-    await editor.command('View: Close All Editors');
+    await editor.closeAll();
   },
 };

@@ -14,8 +14,9 @@ export const scenarios = {
 
   /** The user verifies by a mark beside the text and grants trust; the verification then runs. */
   async trusted({ editor, page, server }) {
-    const before = server.servers().map(({ pid }) => pid);
     await editor.openFile('drone/drone.proskill');
+    await editor.statusSays(/syntax and static checks|\d+ bad/, 60_000);
+    const before = server.servers().map(({ pid }) => pid);
     await page.locator('.monaco-editor[data-uri$="drone.proskill"] .testing-run-glyph').first().click();
     // on the second attempt the workspace is already trusted
     const isAsked = (await editor.status().filter({ hasText: 'syntax and static checks' }).count()) > 0;

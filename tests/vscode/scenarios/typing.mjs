@@ -15,7 +15,7 @@ const lineOf = (root, text) => readFileSync(join(root, kFile), 'utf8').split('\n
 export const scenarios = {
   /** Each word is verified before the next one is typed, while a trace with steps in another file is open. */
   async typing({ editor, page, root }) {
-    await editor.command('View: Close All Editors'); // a panel of another scenario would be taken for the new one
+    await editor.closeAll(); // a panel of another scenario would be taken for the new one
     await editor.openFile(kFile);
     await editor.statusSays(/\d+ bad(?!.*outdated)/, 60_000);
     await editor.command('ProSkill: Open Trace');
@@ -58,7 +58,7 @@ export const scenarios = {
       return !(await page.locator('.tab.active.dirty').count());
     });
     await frame.locator('#step-1.current').waitFor();
-    await editor.command('View: Close All Editors');
+    await editor.closeAll();
   },
 
   /**
@@ -92,6 +92,6 @@ export const scenarios = {
     await editor.picture('reloaded-after');
     await editor.press('Control+1');
     equal('the caret', await editor.caret(), 'Ln 161, Col 3');
-    await editor.command('View: Close All Editors');
+    await editor.closeAll();
   },
 };

@@ -1,16 +1,25 @@
 import { execFileSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { equal, expect } from '../expect.mjs';
 
+function report(proskill, program) {
+  try {
+    return execFileSync(proskill, ['verify', '--format', 'json', '--traces', 'all', program], { encoding: 'utf8', maxBuffer: 1 << 26 });
+  } catch (error) {
+    return error.stdout;
+  }
+}
+
+/** By text of the program. */
+const reports = new Map();
+
 /** The verdict of `proskill verify` on a property, with which the editor has to agree. */
 export function verified({ proskill, root }, program, name) {
-  let text;
-  try {
-    text = execFileSync(proskill, ['verify', '--format', 'json', '--traces', 'all', join(root, program)], { encoding: 'utf8', maxBuffer: 1 << 26 });
-  } catch (error) {
-    text = error.stdout;
-  }
-  return JSON.parse(text).properties.find((property) => property.name === name);
+  const path = join(root, program);
+  const text = readFileSync(path, 'utf8');
+  if (!reports.has(text)) reports.set(text, JSON.parse(report(proskill, path)));
+  return reports.get(text).properties.find((property) => property.name === name);
 }
 
 const kProgram = 'drone/drone.proskill';
@@ -41,7 +50,7 @@ export const scenarios = {
     const { editor, page } = world;
     const { description } = verified(world, kProgram, failing);
     world.failingRow = description.replace(/^.*` /, '');
-    await editor.command('View: Close All Editors');
+    await editor.closeAll();
     await editor.openFile(kProgram);
     await editor.command('Testing: Focus on Test Explorer View');
     const property = row(page, world.failingRow).first();
@@ -115,6 +124,6 @@ export const scenarios = {
       return !!model?.querySelector('.view-overlays [class*="ced-"]');
     }));
     await editor.picture('fiacre-step');
-    await editor.command('View: Close All Editors');
+    await editor.closeAll();
   },
 };

@@ -22,7 +22,7 @@ export const scenarios = {
       await editor.picture(`walkthrough-${title.split(' ')[0].toLowerCase()}`);
     }
     equal('marks of code that are shown as they are', await steps.filter({ hasText: '`' }).count(), 0);
-    await editor.command('View: Close All Editors');
+    await editor.closeAll();
   },
 
   /** A click on the status bar lists actions; each is an existing command. */
@@ -35,10 +35,7 @@ export const scenarios = {
     await page.locator('.tab.active').filter({ hasText: 'Untitled' }).waitFor();
     await editor.type('(defsv a :states (X Y) :init Z)');
     await editor.squiggles().first().waitFor();
-    await expect('an empty text', async () => {
-      await editor.press('Control+z');
-      return !(await page.locator('.tab.active.dirty').count());
-    });
-    await editor.command('View: Close All Editors');
+    await editor.emptyText();
+    await editor.closeAll();
   },
 };
