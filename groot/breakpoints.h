@@ -38,7 +38,7 @@ public:
   void set(Uid uid, Position position, bool isOn);
   /// Takes the next stop of the run. \return false if there is none
   bool takeStop(Stop& stop);
-  /// Whether the run still stands where it has stopped: nobody else has let it go on.
+  /// Whether the run is still where it has stopped: nobody else has let it go on.
   [[nodiscard]] bool isHeld() const { return pause && pause->isHeld() && !wentOn; }
   /// Lets the run go on. \pre canStop()
   void release();

@@ -204,7 +204,7 @@ void Hooks::forgetStops() {
   isShown = false;
 }
 
-/// Tells viewers of the first stop.
+/// Announces the first stop to viewers.
 void Hooks::show() {
   if (stopped.empty() || isShown) return;
   isShown = true;

@@ -14,7 +14,7 @@ namespace proskill::groot {
 /// refused; empty: it is done.
 class Hooks {
 public:
-  /// Tells viewers that the run has stopped at a node.
+  /// Announces to viewers that the run has stopped at a node.
   using Publish = std::function<void(Uid uid)>;
 
   /// \param whyNot the run cannot stop, if it cannot
@@ -66,7 +66,7 @@ private:
   const std::string whyNot;
   const Publish publish;
   std::map<Key, Hook> all;
-  std::deque<Stop> stopped; ///< the run stands until all are unlocked
+  std::deque<Stop> stopped; ///< the run goes on once all are unlocked
   bool isShown = false;     ///< the first of them
   bool isHeard = true;      ///< a viewer is there
   std::uint64_t heard = 0;  ///< when

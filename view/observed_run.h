@@ -20,7 +20,7 @@ struct ObservedRun {
   std::string whyNoPause;      ///< empty: pages may pause it
   std::function<void()> askToEnd;
   std::string whyNoClose{}; ///< empty: when the run has ended, pages may end its page
-  bool waits = true;        ///< a run in simulated time waits where pages are behind
+  bool waits = true;        ///< a run in simulated time waits for slow pages
 };
 
 } // namespace proskill::view

@@ -132,7 +132,7 @@ private:
   [[nodiscard]] int failFile(const std::string& path, const runtime::FileErrors& errors) const {
     for (const auto& [why, place, skill] : errors)
       if (skill.empty())
-        fail(path + ":" + (place ? place->text() + ": " : " ") + why);
+        fail(fmt::format("{}:{} {}", path, place ? place->text() + ":" : "", why));
       else
         std::ignore = failUnusable({why, skill}, path);
     return kFailed;

@@ -32,7 +32,7 @@
 (defvar-local proskill-platform--is-followed nil
   "Whether the mode was switched on by `proskill-platform-follow'.")
 (defvar-local proskill-platform--report nil
-  "The function by which flymake is told of findings.")
+  "The function by which flymake gets findings.")
 (defvar-local proskill-platform--findings nil
   "What the servers have found: an alist of servers and diagnostics.")
 

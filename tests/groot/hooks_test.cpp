@@ -33,7 +33,7 @@ TEST_CASE("a run stops at a node before it is executed, and goes on when it is u
   REQUIRE(run.goOn());
   CHECK(run.heard() == uidOf(run, "Set"));
   CHECK(run.value("door") == "Open");
-  CHECK(run.goOn()); // it still stands
+  CHECK(run.goOn()); // it is still there
   CHECK(run.heard() == "");
   CHECK(run.unlock("Set", Position::Pre) == "");
   CHECK_FALSE(run.goOn());
@@ -57,7 +57,7 @@ TEST_CASE("a run stops when a node has ended, before what follows") {
   CHECK_FALSE(run.goOn());
 }
 
-TEST_CASE("a basic skill is not called while the run stands before its call") {
+TEST_CASE("a basic skill is not called while the run is stopped before its call") {
   StoppingRun run(kSearch);
   REQUIRE(run.insert("fly", Position::Pre) == "");
   REQUIRE(run.goOn());
@@ -150,7 +150,7 @@ TEST_CASE("how a node ends is decided by the program") {
   for (const auto* desired : {"SUCCESS", "FAILURE"})
     CHECK_THAT(run.unlock("fly", Position::Pre, desired), Contains("decided by the program"));
   CHECK(run.unlock("fly", Position::Pre, "WRONG") == "`desired_status` is not a status");
-  CHECK(run.goOn()); // it still stands
+  CHECK(run.goOn()); // it is still there
   CHECK(run.unlock("fly", Position::Pre, "RUNNING") == "");
   REQUIRE(run.goOn());
   CHECK(run.unlock("fly", Position::Post, "FAILURE") ==
@@ -159,7 +159,7 @@ TEST_CASE("how a node ends is decided by the program") {
   CHECK_FALSE(run.goOn());
 }
 
-TEST_CASE("without a sign of life from viewers for 5 s, a run does not stand at breakpoints") {
+TEST_CASE("without a sign of life from viewers for 5 s, a run does not stay at breakpoints") {
   StoppingRun run(kLoop);
   run.hooks.hear(10 * kSecond);
   REQUIRE(run.insert("WaitFor", Position::Pre) == "");

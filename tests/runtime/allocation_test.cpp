@@ -188,12 +188,27 @@ public:
   }
   [[nodiscard]] std::optional<std::vector<std::string>> receive() override { return std::nullopt; }
   void reply(const std::vector<std::string>&) override {}
+  void publish(const std::vector<std::string>&) override {}
+};
+
+/// Looks whether a run has come to a breakpoint.
+class Looking final : public runtime::Observer {
+public:
+  explicit Looking(groot::Breakpoints& of) : breakpoints(of) {}
+  void onStep(const runtime::Machine& machine, verify::TransitionId, runtime::Nanoseconds,
+              runtime::Nanoseconds) override {
+    breakpoints.follow(machine);
+  }
+  void onRemark(const runtime::Remark&) override {}
+
+private:
+  groot::Breakpoints& breakpoints;
 };
 
 } // namespace
 
-TEST_CASE(
-    "viewers of behavior trees and their logs allocate no memory and take no lock in a step") {
+TEST_CASE("viewers of behavior trees, their breakpoints and logs allocate no memory and take no "
+          "lock in a step") {
   const auto program = test::programOfText(kPatrolling);
   const auto executable = runtime::makeExecutable(program, "", false);
   REQUIRE(executable);
@@ -209,8 +224,13 @@ TEST_CASE(
   };
   CHECK(allocated(groot::logOf(
             *tree, **executable, [](std::string_view) {}, 0)) == 0);
-  groot::Monitor monitor(*tree, **executable, std::make_unique<NoViewers>(), true);
+  groot::Monitor monitor(*tree, **executable, std::make_unique<NoViewers>(), true, {});
   CHECK(allocated(monitor.observer()) == 0);
+  runtime::Pause pause;
+  groot::Breakpoints breakpoints(*tree, **executable, &pause);
+  breakpoints.set(1, groot::Position::Post, true); // the end of the mission, which never comes
+  CHECK(allocated(std::make_unique<Looking>(breakpoints)) == 0);
+  CHECK_FALSE(pause.isHeld());
 }
 
 TEST_CASE("no step with a program as its platform takes a lock") {
