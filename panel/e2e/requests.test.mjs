@@ -99,3 +99,18 @@ test('a trace alone makes no list of verdicts, and compares with those that have
   assert.equal(await it.evaluate(() => window.made.verdict ?? 0), 0);
   assert.deepEqual(it.complaints, []);
 });
+
+test('news that come while somebody types into a field do not move the keyboard', async () => {
+  answers.trace.steps = steps;
+  const verdicts = [verdict('t')];
+  const it = await opened('all', { program: { ...program, verdicts } }, 'trace');
+  await it.waitForFunction(() => window.requests.includes('trace t'));
+  await it.locator('.verdicts .search').focus();
+  await it.keyboard.type('en');
+  await it.evaluate((params) => window.postMessage({ type: 'news', method: 'program', params }), { ...program, verdicts });
+  await it.waitForFunction(() => window.requests.filter((name) => name === 'trace t').length === 2);
+  await it.evaluate(() => window.release());
+  await it.locator('.step.current').waitFor();
+  await it.keyboard.type('ergy');
+  assert.equal(await it.locator('.verdicts .search').inputValue(), 'energy');
+});

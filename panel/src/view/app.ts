@@ -209,7 +209,7 @@ class App {
     const violated = verdicts.filter((verdict) => markOf(verdict) === 'error' && verdict.steps !== null);
     const only = verdicts.length === 1 && verdicts[0]!.steps !== null ? verdicts[0] : undefined;
     const first = violated.find(({ kind }) => kind === 'property') ?? violated[0] ?? only;
-    if (this.hello.layout === 'all' && this.trace.name === null && first && !this.tabs.get('trace')?.panel.hidden) await this.choose(first, true);
+    if (this.hello.layout === 'all' && this.trace.name === null && first && !this.tabs.get('trace')?.panel.hidden) await this.choose(first, true, document.body);
   }
 
   private async show(show: Show): Promise<void> {
@@ -272,11 +272,10 @@ class App {
     return program.stale && !this.opened.has(this.trace.name ?? '');
   }
 
-  private async choose(verdict: Verdict, focus: boolean): Promise<void> {
+  /** `keyboard`: what had the focus when the user chose it, or the page if nobody did. A user who has moved the focus elsewhere keeps it. */
+  private async choose(verdict: Verdict, focus: boolean, keyboard = document.activeElement): Promise<void> {
     if (verdict.steps !== null) {
-      const keyboard = document.activeElement;
       const isShown = await this.fetchTrace(verdict.name);
-      // a user who has moved the focus elsewhere keeps it
       if (isShown && focus && (document.activeElement === keyboard || document.activeElement === document.body)) this.focusTrace();
     } else {
       this.say(verdict.reason || `${verdict.verdict}: there is no trace for this verdict`);
