@@ -5,6 +5,7 @@
 #include "ide/snapshot/symbol_key.h"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <utility>
 
@@ -25,6 +26,16 @@ bool hasAutomaton(SymbolKind kind) {
 
 bool isVerified(SymbolKind kind) {
   return kind == SymbolKind::Skill || kind == SymbolKind::Property;
+}
+
+/// Which definitions of a large file have lenses first.
+enum Rank : std::size_t { Missions, Skills, Others, kRanks };
+
+Rank rankOf(const View& view, const analysis::Symbol& symbol) {
+  if (symbol.kind == SymbolKind::Property) return Missions;
+  if (symbol.kind != SymbolKind::Skill) return Others;
+  const auto& skill = view.program().skills.all[symbol.definition].node();
+  return skill.isComposite() ? Missions : Skills;
 }
 
 /// Counts of verdicts on a subject, as on the command line.
@@ -92,10 +103,26 @@ public:
 
 private:
   void ofProgram() {
+    const auto& symbols = view.index().symbols();
+    std::vector<std::pair<SymbolId, Rank>> defined;
+    std::array<std::size_t, kRanks> counts{};
     for (const auto& form : view.document().forms()) {
       const auto id = symbolOf(view, view.file, form);
-      if (id != analysis::kNoSymbol && !view.index().symbols()[id].name.empty()) ofSymbol(id);
+      if (id == analysis::kNoSymbol || symbols[id].name.empty()) continue;
+      defined.emplace_back(id, rankOf(view, symbols[id]));
+      ++counts[defined.back().second];
     }
+    const auto last = lastRank(counts);
+    for (const auto& [id, rank] : defined)
+      if (rank <= last) ofSymbol(id);
+  }
+
+  /// Independent of verdicts: otherwise lines would move after each verification.
+  static std::size_t lastRank(const std::array<std::size_t, kRanks>& counts) {
+    std::size_t last = Missions;
+    auto sum = counts[Missions];
+    while (last + 1 < kRanks && (sum += counts[last + 1]) <= kMostWithLenses) ++last;
+    return last;
   }
 
   /// Adds a lens for each property, and one for all at the model's name.

@@ -24,8 +24,12 @@ struct Lens {
   std::string name{};   ///< if there is no symbol: the property; empty: all properties
 };
 
+/// Editors move all lenses of a file at each key, which takes time where there are thousands.
+constexpr std::size_t kMostWithLenses = 400;
+
 /// The lenses of a file, in the order of the text. Verdicts for other versions of the texts are
-/// marked as stale.
+/// marked as stale. A file with more than `kMostWithLenses` definitions has lenses for properties
+/// and composite skills, and for the other skills if these are not too many.
 /// \param verdicts of all programs
 [[nodiscard]] std::vector<Lens> lenses(const View& view, const Verdicts& verdicts);
 

@@ -2,6 +2,8 @@
 #include "tests/ide/marked_program.h"
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
+#include <set>
 
 namespace proskill::test::lenses_test {
 
@@ -86,6 +88,33 @@ TEST_CASE("verdicts on an older text are called stale") {
   // The same text, parsed again, counts as unchanged.
   CHECK_FALSE(
       titles(MarkedProgram(kProgram), verdictsFor(before), "go").front().ends_with("(outdated)"));
+}
+
+TEST_CASE("large files have lenses for what is verified first") {
+  auto repeated = [](std::size_t count, std::string_view form) {
+    std::string text;
+    for (std::size_t i = 0; i < count; ++i)
+      text += fmt::format(fmt::runtime(form), fmt::arg("i", i)) + "\n";
+    return text;
+  };
+  auto names = [](const std::string& text, const ide::Verdicts& verdicts) {
+    const MarkedProgram program(text);
+    std::set<std::string_view> kinds;
+    for (const auto& lens : ide::lenses(program.view(), verdicts))
+      kinds.insert(analysis::words(program.view().index().symbols()[lens.symbol].kind));
+    return kinds.size() == 1 ? std::string(*kinds.begin()) : fmt::format("{} kinds", kinds.size());
+  };
+  const auto missions = repeated(ide::kMostWithLenses + 1, "(defskill m{i} :body ((^ 1)))");
+  const auto skills = repeated(ide::kMostWithLenses - 1, "(defskill s{i} :action (x))");
+  const auto variables = repeated(2, "(defsv v{i} :states (A B) :init A)");
+  const std::string property = "(defproperty p (reachable (v0 B)))\n";
+  CHECK(names(variables + property, {}) == "2 kinds");
+  CHECK(names(variables + skills, {}) == "skill");
+  CHECK(names(variables + missions, {}) == "skill");
+  CHECK(names(variables + property + skills, {}) == "2 kinds");
+  CHECK(names(variables + property + skills + "(defskill last :action (x))\n", {}) == "property");
+  CHECK(names(repeated(ide::kMostWithLenses, "(defsv v{i} :states (A B) :init A)"), {}) ==
+        "state variable");
 }
 
 TEST_CASE("references are counted in words") {
