@@ -4,7 +4,8 @@ namespace proskill::groot {
 
 namespace {
 
-/// The run stays stopped until viewers have taken its stops, unless a page has it take single steps.
+/// The run stays stopped until viewers have taken its stops, unless a page has it take single
+/// steps.
 constexpr std::size_t kFewAtOnce = 4;
 
 constexpr std::uint8_t bitOf(Position position) {

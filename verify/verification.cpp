@@ -191,7 +191,7 @@ bool Verification::refine(std::vector<std::size_t> which, const Refinement::Budg
   });
 }
 
-/// \param decide asks parts of the system; it receives whom to tell the answers
+/// \param decide asks parts of the system; it receives what to call with each answer
 bool Verification::isAnyDecided(const auto& decide) {
   const Witness witness(whole, none, provenance, limits);
   const Bits decided = decide([&](std::size_t i, const Evidence* evidence) {
