@@ -33,7 +33,7 @@ WANTED = [
     "usr/share/proskill/helix/queries/proskill/highlights.scm",
     "usr/lib/python3/dist-packages/proskill/__init__.py", "usr/lib/python3/dist-packages/proskill/py.typed",
     "usr/include/proskill/executor.h", "usr/include/proskill/executor.hpp", "usr/include/proskill/platform.h",
-    "usr/lib/libproskill.so.1", "usr/lib/libproskill.so", "usr/lib/cmake/ProSkill/ProSkillConfig.cmake", "usr/lib/pkgconfig/proskill.pc",
+    "usr/lib/libproskill.so.1", "usr/lib/libproskill.so", "usr/lib/proskill/libproskill_view.so", "usr/lib/cmake/ProSkill/ProSkillConfig.cmake", "usr/lib/pkgconfig/proskill.pc",
     f"{DOC}/copyright", f"{DOC}/README.md", f"{DOC}/CHANGELOG.md", f"{DOC}/docs/language.md",
     f"{DOC}/examples/drone/drone.proskill",
 ]
