@@ -1,4 +1,4 @@
-// Live results in the Testing view: what is shown, when, and how much at once. A stand-in for VS Code notes it.
+// Live results in the Testing view: what is shown, when, and how much at once. A fake VS Code notes it.
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -18,7 +18,7 @@ async function built() {
   return (await import(outfile)).LiveResults;
 }
 
-/** The view with one program of many properties, and what it was told. */
+/** The view with one program of many properties, and what it has shown. */
 class World {
   batches = [];
   runs = { begun: 0, ended: 0 };

@@ -5,9 +5,9 @@ import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { loadavg } from 'node:os';
 import { join } from 'node:path';
 import { equal } from '../expect.mjs';
-import { largeProgram } from '../large_program.mjs';
-import { profiled } from '../profile.mjs';
-import { Typist } from '../typist.mjs';
+import { largeProgram } from '../typing/large_program.mjs';
+import { profiled } from '../typing/profile.mjs';
+import { Typist } from '../typing/typist.mjs';
 
 const kFile = 'large/large.proskill';
 const kPlain = 'large/plain.proskill';

@@ -1,5 +1,5 @@
 // A person who types comments into a program, with a pause now and then, and the time from each key to its display.
-import { expect } from './expect.mjs';
+import { expect } from '../expect.mjs';
 
 const kWords = 'what a person types while the program is verified again and again stays where it was typed'.split(' ');
 const kWordsALine = 12;
