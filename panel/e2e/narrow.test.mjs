@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
-import { choosePicture, closeBrowser, eventually, openTrace, page, shot, view, workspace } from './browser.mjs';
+import { choosePicture, closeBrowser, eventually, openTrace, page, run, shot, view, workspace } from './browser.mjs';
 
 after(closeBrowser);
 
@@ -47,6 +47,29 @@ for (const [width, height] of [[380, 760], [520, 420], [720, 500]])
     await usable(it, { '.stage': 150 });
     await shot(it, `narrow_${width}_automaton`);
   }));
+
+test('a run beside a program shows its last step and the automaton without scrolling', async () => {
+  const files = workspace();
+  const running = await run(join(files.path, 'drone/drone.proskill'), '--clock', 'simulated');
+  const it = await page({ viewport: { width: 520, height: 830 } });
+  await it.goto(running.url);
+  await it.locator('.stage g.node').first().waitFor();
+  await it.locator('.run-bar').getByRole('button', { name: 'Continue', exact: true }).click();
+  await eventually(async () => assert.ok(Number(await it.locator('.step.current .number').textContent()) > 12));
+  await it.locator('.run-bar[data-state="ended"]').waitFor();
+  for (const place of ['.step.current', '.stage']) {
+    const { y, height } = await it.locator(place).first().boundingBox();
+    assert.ok(y > 0 && height > 15 && y + height <= 830, `${place} from ${y} to ${y + height}`);
+    assert.ok(await it.locator(place).first().evaluate((part) => {
+      const box = part.getBoundingClientRect();
+      return part.contains(document.elementFromPoint(box.left + 60, box.bottom - 4));
+    }), `${place} is not hidden by another part`);
+  }
+  await usable(it, { '.trace-view .steps': 150, '.values .scroll': 60, '.lanes .scroll': 90 });
+  await shot(it, 'narrow_run');
+  running.end();
+  files.remove();
+});
 
 /** Of each test step that is drawn: its result, and whether all of it is within the list. */
 const results = (frame) => {
