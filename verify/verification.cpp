@@ -151,9 +151,7 @@ std::optional<Unsupported> Verification::exploreWhole(const std::vector<std::siz
 /// Slices omit errors, so they are used only if errors are asked for or cannot happen.
 bool Verification::usesParts() {
   return (takes(Reduction::Slices) || takes(Reduction::Refinement)) &&
-         !compiled.system.hasPriorities &&
-         (askForErrors(compiled.goals) ||
-          isPlainlyNever(whole, Goal{.kind = GoalKind::Error}, limits));
+         !compiled.system.hasPriorities && (askForErrors(compiled.goals) || areErrorsExcluded());
 }
 
 bool Verification::isAnsweredPlainly(std::size_t index) {
@@ -187,11 +185,24 @@ bool Verification::refine(std::vector<std::size_t> which, const Refinement::Budg
   if (which.empty()) return false;
   Refinement refinement(compiled.system, whole, provenance, may(), limits, options.answers);
   return isAnyDecided([&](const auto& onDecided) {
-    return refinement.decide(compiled.goals, which, budget, result.exploration, onDecided);
+    Bits decided = refinement.decide(compiled.goals, which, budget, result.exploration, onDecided);
+    for (auto i : which)
+      if (compiled.goals[i].kind == GoalKind::Stuck && areErrorsExcluded() &&
+          refinement.showProgress(budget, result.exploration) && onDecided(i, nullptr))
+        decided.insert(static_cast<std::uint32_t>(i));
+    return decided;
   });
 }
 
-/// \param decide asks parts of the system; it receives what to call with each answer
+/// Whether it is known that no step fails.
+bool Verification::areErrorsExcluded() {
+  for (std::size_t i = 0; i < compiled.goals.size(); ++i)
+    if (compiled.goals[i].kind == GoalKind::Error && result.answers[i].truth == Truth::True)
+      return true;
+  return isPlainlyNever(whole, Goal{.kind = GoalKind::Error}, limits);
+}
+
+/// \param decide asks parts of the system; it receives whom to tell the answers
 bool Verification::isAnyDecided(const auto& decide) {
   const Witness witness(whole, none, provenance, limits);
   const Bits decided = decide([&](std::size_t i, const Evidence* evidence) {

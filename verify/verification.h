@@ -63,6 +63,7 @@ private:
   bool answerTrue(std::size_t index);
   bool exploreSlices(std::vector<std::size_t> which, const SearchSize& most);
   bool refine(std::vector<std::size_t> which, const Refinement::Budget& budget);
+  [[nodiscard]] bool areErrorsExcluded();
   bool isAnyDecided(const auto& decide);
   [[nodiscard]] std::vector<std::size_t> leadable(const std::vector<std::size_t>& which) const;
   bool exploreLed(const std::vector<std::size_t>& which, std::uint64_t most, std::uint64_t each);

@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <optional>
+
 namespace proskill::test::parts_test {
 
 namespace {
@@ -17,7 +19,7 @@ constexpr std::size_t kLimit = 4000; ///< nodes of a region graph
 
 /// Workers that share nothing but a barrier: some of their steps wait until no alarm is on. A
 /// coordinator may call them and wait until they have ended, or a caller may call each that is
-/// free.
+/// free. Sometimes they take turns at a tool, too.
 class RandomParts {
 public:
   explicit RandomParts(std::uint64_t seed)
@@ -26,7 +28,8 @@ public:
         isCoordinated(random.chance(50)),
         isCalled(!isCoordinated && random.chance(60)),
         hasBarrier(random.chance(70)),
-        isBarrierWhole(random.chance(80)) {}
+        isBarrierWhole(random.chance(80)),
+        hasTool(random.chance(40)) {}
 
   std::string text() {
     std::string made;
@@ -52,6 +55,7 @@ private:
 
   std::vector<std::string> variables() {
     auto all = each("x{0}: 0..2 := 0");
+    all.emplace_back("taken: bool := false");
     for (std::size_t i = 0; i < count; ++i) {
       all.push_back(fmt::format("alarm{}: bool := {}", i, random.chance(20)));
       all.push_back(fmt::format("called{}: bool := {}", i, !isCoordinated && !isCalled));
@@ -60,7 +64,8 @@ private:
   }
 
   [[nodiscard]] std::vector<std::string> instances() const {
-    const auto shared = fmt::format("{}", fmt::join(each("&x{0}, &alarm{0}, &called{0}"), ", "));
+    const auto shared =
+        fmt::format("&taken, {}", fmt::join(each("&x{0}, &alarm{0}, &called{0}"), ", "));
     std::vector<std::string> all = each("Worker{0}(" + shared + ")");
     if (isCoordinated) all.push_back("Coordinator(" + shared + ")");
     if (isCalled) all.push_back("Caller(" + shared + ")");
@@ -68,7 +73,7 @@ private:
   }
 
   [[nodiscard]] std::string parameters() const {
-    return fmt::format("({})",
+    return fmt::format("(&taken: bool, {})",
                        fmt::join(each("&x{0}: 0..2, &alarm{0}: bool, &called{0}: bool"), ", "));
   }
 
@@ -106,6 +111,8 @@ private:
     std::string made = random.chance(50) ? urgent(i) : random.pick(waits);
     if (random.chance(60))
       made += fmt::format("on x{} {} {}; ", i, random.chance(50) ? "=" : "<>", random.below(3));
+    if (hasTool && random.chance(60))
+      made += random.chance(50) ? "on not taken; taken := true; " : "taken := false; ";
     made += assignment(i);
     if (random.chance(30)) made += fmt::format("alarm{} := true; ", i);
     if (random.chance(40)) return made + fmt::format("called{} := false; to idle", i);
@@ -146,6 +153,7 @@ private:
   bool isCalled;
   bool hasBarrier;
   bool isBarrierWhole;
+  bool hasTool;
 };
 
 /// The model with a question about time as well, which has no text in Fiacre.
@@ -161,8 +169,10 @@ fiacre::Program modelOf(const std::string& text) {
 }
 
 /// Whether slices answer the question alone.
-bool isSliced(const fiacre::Program& program, std::size_t property) {
+bool isSliced(const fiacre::Program& program, std::size_t property,
+              std::optional<verify::Reduction> without = {}) {
   verify::Options options;
+  if (without) options.reductions.erase(*without);
   options.classesBeforeSlices = 0;
   const auto result = verify::verify(program, {}, {{property}}, options);
   return result && result->exploration.sliced == 1;
@@ -176,6 +186,7 @@ TEST_CASE("engine and oracle agree on random models of independent parts") {
   std::size_t stuck = 0;
   std::size_t withoutDeadlock = 0;
   std::size_t withoutStop = 0;
+  std::size_t byInstances = 0;
   const auto [first, end] = seedsOr(0, 1500);
   for (auto seed = first; seed < end; ++seed) {
     const auto text = RandomParts(seed).text();
@@ -189,6 +200,7 @@ TEST_CASE("engine and oracle agree on random models of independent parts") {
     stuck += judged.truths[last] == false ? 1 : 0;
     withoutDeadlock += isSliced(program, 0) ? 1 : 0;
     withoutStop += isSliced(program, last) ? 1 : 0;
+    byInstances += isSliced(program, last, verify::Reduction::Slices) ? 1 : 0;
     for (const auto& setting : oracle::settings()) {
       if (setting.second.classesBeforeSlices > 5) continue;
       const auto wrong = oracle::disagreement(program, {}, judged, setting);
@@ -196,12 +208,13 @@ TEST_CASE("engine and oracle agree on random models of independent parts") {
       REQUIRE_FALSE(wrong);
     }
   }
-  INFO(judgedModels << " models, " << deadlocks << " deadlocks, " << stuck
-                    << " stuck; by parts: " << withoutDeadlock << " without a deadlock, "
-                    << withoutStop << " in which time goes on");
+  INFO(judgedModels << " models, " << deadlocks << " deadlocks, " << stuck << " stuck; by parts: "
+                    << withoutDeadlock << " without a deadlock, " << withoutStop
+                    << " in which time goes on, instance by instance " << byInstances);
   CHECK(judgedModels > 0);
   CHECK(withoutDeadlock > 10);
   CHECK(withoutStop > 10);
+  CHECK(byInstances > 10);
   CHECK(deadlocks > 10);
   CHECK(stuck > 10);
 }

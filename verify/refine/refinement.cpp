@@ -1,7 +1,7 @@
 #include "verify/refine/refinement.h"
 
+#include "verify/refine/class_budget.h"
 #include "verify/refine/contraction.h"
-#include "verify/refine/omitted_conditions.h"
 #include "verify/slice/part_text.h"
 #include "verify/slice/whole_run.h"
 #include "verify/state/state_layout.h"
@@ -17,21 +17,6 @@ namespace {
 /// From this size on, a search is led by the distance to its goal. Smaller ones are not worth the
 /// preparation.
 constexpr std::uint64_t kMostInOrder = 1'000;
-/// Making a slice takes as long as exploring a class for so many transitions of the whole.
-constexpr std::uint64_t kTransitionsPerClass = 16;
-
-void spend(std::uint64_t amount, std::uint64_t& left) { left -= std::min(left, amount); }
-
-/// The system in which a possible step may be taken at any time.
-System withoutTime(System system) {
-  for (auto& transition : system.transitions) {
-    if (transition.fails) continue;
-    transition.urgent = false;
-    transition.interval = {};
-    transition.clock = kNone;
-  }
-  return system;
-}
 
 } // namespace
 
@@ -66,24 +51,23 @@ Bits Refinement::decide(const std::vector<Goal>& goals, const std::vector<std::s
 
 Refinement::Outcome Refinement::decide(const Asked& asked, std::uint64_t& left,
                                        Exploration& statistics) {
-  known = {};
-  isTimed = false;
+  Precision precision(slicer);
   auto outcome = Outcome::Refined;
   while (outcome == Outcome::Refined) {
-    spend(split.system.transitions.size() / kTransitionsPerClass, left);
+    spend(priceOfSlice(split.system), left);
     if (left == 0) return Outcome::GaveUp;
     const Slice slice =
-        slicer.slice({.goals = {&asked.goal}, .steps = {}, .loose = {}, .cells = known});
-    outcome = explore(asked, slice, left, statistics);
+        precision.slice({.goals = {&asked.goal}, .steps = {}, .loose = {}, .cells = {}});
+    outcome = explore(asked, slice, precision, left, statistics);
   }
   return outcome;
 }
 
-Refinement::Outcome Refinement::explore(const Asked& asked, const Slice& slice, std::uint64_t& left,
+Refinement::Outcome Refinement::explore(const Asked& asked, const Slice& slice,
+                                        Precision& precision, std::uint64_t& left,
                                         Exploration& statistics) {
   const auto& goal = asked.goal;
-  const auto [part, before, original] =
-      contracted(isTimed ? slice.system : withoutTime(slice.system), goal, limits);
+  const auto [part, before, original] = contracted(precision.systemOf(slice), goal, limits);
   const auto text = store ? PartText(part).with(goal) : std::string();
   if (store && store->isNeverIn(text)) return never(asked);
   const Prepared prepared(part, {goal}, takes, limits);
@@ -104,7 +88,7 @@ Refinement::Outcome Refinement::explore(const Asked& asked, const Slice& slice, 
     const Evidence evidence{*run, {}};
     if (asked.onDecided(&evidence)) return Outcome::Decided;
   }
-  return refine(slice, steps);
+  return precision.growBy(slice, steps) ? Outcome::Refined : Outcome::GaveUp;
 }
 
 Refinement::Outcome Refinement::never(const Asked& asked) {
@@ -146,29 +130,8 @@ std::optional<Steps> Refinement::completed(const Slice& slice, const Steps& step
   return wholeRun(whole, inWhole, planned, *dating, limits);
 }
 
-/// \param steps a run of the slice that is none of the whole
-Refinement::Outcome Refinement::refine(const Slice& slice, const Steps& steps) {
-  OmittedConditions omitted(slicer, known);
-  for (auto step : slice.inWhole(steps)) omitted.follow(step);
-  if (!isTimed && omitted.wanted().empty()) {
-    isTimed = true;
-    return Outcome::Refined;
-  }
-  const Bits wanted = omitted.wanted().empty() ? readByLate(slice) : omitted.wanted();
-  if (wanted.isWithin(known)) return Outcome::GaveUp;
-  known |= wanted;
-  return Outcome::Refined;
-}
-
-/// What decides since when steps are due that the slice may take later.
-Bits Refinement::readByLate(const Slice& slice) const {
-  Bits cells;
-  const SliceFacts& facts = slicer.known();
-  slice.late.each([&](TransitionId late) {
-    for (auto conjunct : facts.transitions[slice.original[late]].guard)
-      cells |= facts.conjuncts[conjunct].whole.cells;
-  });
-  return cells;
+bool Refinement::showProgress(Budget budget, Exploration& statistics) {
+  return ProgressProof(slicer, takes, limits).run(budget.together, budget.each, statistics);
 }
 
 } // namespace proskill::verify

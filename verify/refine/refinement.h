@@ -4,6 +4,8 @@
 #include "verify/explore/search.h"
 #include "verify/guide/goal_distance.h"
 #include "verify/reduce/prepared.h"
+#include "verify/refine/precision.h"
+#include "verify/refine/progress_proof.h"
 #include "verify/refine/split_tests.h"
 #include "verify/slice/slicer.h"
 #include "verify/verify.h"
@@ -20,7 +22,7 @@ namespace proskill::verify {
 /// Clarke, Grumberg, Jha, Lu, Veith, "Counterexample-guided abstraction refinement", CAV 2000.
 class Refinement {
 public:
-  using Takes = std::function<bool(Reduction)>;
+  using Takes = ProgressProof::Takes;
   /// Receives a goal, by its index, and a run of the whole system that reaches it; null: it is
   /// never reached.
   /// \return whether the run was confirmed
@@ -47,6 +49,10 @@ public:
   /// \throw LimitMet
   [[nodiscard]] Bits decide(const std::vector<Goal>& goals, const std::vector<std::size_t>& open,
                             Budget budget, Exploration& statistics, const OnDecided& onDecided);
+  /// Whether it is shown that time can always go on.
+  /// \pre no step of the system fails
+  /// \throw LimitMet
+  [[nodiscard]] bool showProgress(Budget budget, Exploration& statistics);
 
 private:
   enum class Outcome : std::uint8_t {
@@ -61,8 +67,8 @@ private:
   };
 
   [[nodiscard]] Outcome decide(const Asked& asked, std::uint64_t& left, Exploration& statistics);
-  [[nodiscard]] Outcome explore(const Asked& asked, const Slice& slice, std::uint64_t& left,
-                                Exploration& statistics);
+  [[nodiscard]] Outcome explore(const Asked& asked, const Slice& slice, Precision& precision,
+                                std::uint64_t& left, Exploration& statistics);
   [[nodiscard]] SearchResult searchFor(const Goal& goal, const System& part,
                                        const Prepared& prepared, std::uint64_t& left,
                                        Exploration& statistics);
@@ -71,8 +77,6 @@ private:
                                        std::uint64_t& left, Exploration& statistics);
   [[nodiscard]] static Outcome never(const Asked& asked);
   [[nodiscard]] std::optional<Steps> completed(const Slice& slice, const Steps& steps);
-  [[nodiscard]] Outcome refine(const Slice& slice, const Steps& steps);
-  [[nodiscard]] Bits readByLate(const Slice& slice) const;
 
   SplitSystem split;
   Slicer slicer; ///< of the split system
@@ -81,8 +85,6 @@ private:
   Takes takes;
   LimitWatch& limits;
   AnswerStore* store;
-  Bits known;           ///< cells of the conditions that the next slice does not omit
-  bool isTimed = false; ///< whether the next slice has clocks
 };
 
 } // namespace proskill::verify

@@ -25,6 +25,8 @@ public:
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(zones.size()); }
   [[nodiscard]] StateId stateOf(NodeIndex node) const { return node - lags.at(node); }
   [[nodiscard]] ZoneId zoneOf(NodeIndex node) const { return zones.at(node); }
+  /// The newest node of a state.
+  [[nodiscard]] NodeIndex headOf(StateId state) const { return state + heads.at(state); }
   /// Whether a later zone includes that of the node, so that it is not expanded.
   [[nodiscard]] bool isSubsumed(NodeIndex node) const { return subsumed.contains(node); }
   [[nodiscard]] SignatureId signatureOf(StateId state) const { return signatures.at(state); }
@@ -53,7 +55,6 @@ public:
   [[nodiscard]] std::uint64_t growth() const;
 
 private:
-  [[nodiscard]] NodeIndex headOf(StateId state) const { return state + heads.at(state); }
   [[nodiscard]] NodeIndex nextOf(NodeIndex node) const {
     const std::uint32_t step = links.at(node);
     return step == 0 ? kNone : node - step;

@@ -1,0 +1,53 @@
+#include "verify/refine/precision.h"
+
+#include "verify/refine/omitted_conditions.h"
+
+#include <utility>
+
+namespace proskill::verify {
+
+namespace {
+
+System withoutTime(System system) {
+  for (auto& transition : system.transitions) {
+    if (transition.fails) continue;
+    transition.urgent = false;
+    transition.interval = {};
+    transition.clock = kNone;
+  }
+  return system;
+}
+
+} // namespace
+
+Slice Precision::slice(SliceSeeds seeds) const {
+  seeds.cells = known;
+  return slicer.slice(seeds);
+}
+
+System Precision::systemOf(const Slice& slice) const {
+  return isTimed ? slice.system : withoutTime(slice.system);
+}
+
+bool Precision::growBy(const Slice& slice, const Steps& steps) {
+  OmittedConditions omitted(slicer, known);
+  for (auto step : slice.inWhole(steps)) omitted.follow(step);
+  if (!isTimed && omitted.wanted().empty()) return isTimed = true;
+  const Bits wanted = omitted.wanted().empty() ? readByLate(slice) : omitted.wanted();
+  if (wanted.isWithin(known)) return false;
+  known |= wanted;
+  return true;
+}
+
+/// What decides since when steps are due that the slice may take later.
+Bits Precision::readByLate(const Slice& slice) const {
+  Bits cells;
+  const SliceFacts& facts = slicer.known();
+  slice.late.each([&](TransitionId late) {
+    for (auto conjunct : facts.transitions[slice.original[late]].guard)
+      cells |= facts.conjuncts[conjunct].whole.cells;
+  });
+  return cells;
+}
+
+} // namespace proskill::verify

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "verify/explore/search.h"
+#include "verify/slice/slicer.h"
+
+namespace proskill::verify {
+
+/// What the slices of a refinement know: the cells of the conditions that they do not omit, and
+/// whether they have clocks. It grows by what false runs lack.
+class Precision {
+public:
+  /// \pre the slicer outlives this
+  explicit Precision(Slicer& of) : slicer(of) {}
+
+  /// \throw LimitMet
+  [[nodiscard]] Slice slice(SliceSeeds seeds) const;
+  /// The slice's system; without clocks, a step that is possible may be taken at any time.
+  [[nodiscard]] System systemOf(const Slice& slice) const;
+  /// \param steps a run of the slice that is none of the whole
+  /// \return whether the next slice knows more
+  [[nodiscard]] bool growBy(const Slice& slice, const Steps& steps);
+
+private:
+  [[nodiscard]] Bits readByLate(const Slice& slice) const;
+
+  Slicer& slicer;
+  Bits known;
+  bool isTimed = false;
+};
+
+} // namespace proskill::verify
