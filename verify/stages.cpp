@@ -8,7 +8,8 @@ std::vector<Stage> stagesOf(const Options& options) {
   const std::uint64_t size = options.classesBeforeSlices;
   const std::uint64_t led = options.classesOfLedSearches;
   const std::uint64_t unit = std::max<std::uint64_t>(size, 100);
-  return {{.at = {size},
+  return {{.at = {size}, .newest = std::min(4 * size, led)},
+          {.at = {size},
            .slices = {8 * size, 100 * size},
            .led = std::min(2 * size, led),
            .ledEach = size / 2,
@@ -17,10 +18,14 @@ std::vector<Stage> stagesOf(const Options& options) {
           {.at = {30 * size},
            .slices = SearchSize{},
            .refined = {.together = 200 * unit, .each = 4 * unit},
+           .newest = led,
            .led = led,
            .ledEach = 100,
            .walks = led},
-          {.at = {200 * size}, .refined = {.together = 2'000 * unit, .each = 60 * unit}}};
+          {.at = {200 * size},
+           .refined = {.together = 2'000 * unit, .each = 60 * unit},
+           .led = 10 * led,
+           .ledEach = 2 * led}};
 }
 
 } // namespace proskill::verify

@@ -17,6 +17,7 @@ struct Stage {
   SearchSize at;
   SearchSize slices{0, 0};    ///< of the searches of all slices together
   Refinement::Budget refined; ///< of slices that are refined
+  std::uint64_t newest = 0;   ///< classes of a search that begins with new states
   std::uint64_t led = 0;      ///< classes of all led searches together
   std::uint64_t ledEach = 0;  ///< a led search of fewer classes is not worth its preparation
   std::uint64_t walks = 0;    ///< classes of a search by random walks

@@ -76,7 +76,7 @@ std::optional<Unsupported> Verification::explore(std::vector<std::size_t> which)
     std::erase_if(which, [&](std::size_t i) { return isAnsweredPlainly(i); });
     if (which.empty()) return settleStates(false), std::nullopt;
     if (isEdit) exploreSlices(which, {}); // what an edit does not concern is known
-    stage = isEdit ? 1 : 0;
+    stage = isEdit ? 2 : 0;               // slices have been asked
     if (!limits.lastMet().empty()) isSaving = false;
   }
   const auto stages = stagesOf(options);
@@ -99,10 +99,11 @@ bool Verification::answersAny(const Stage& stage, const std::vector<std::size_t>
   const bool bySlices =
       !slicesAreDone && stage.slices.classes > 0 && exploreSlices(which, stage.slices);
   const bool isRefined = refine(which, stage.refined);
+  const bool isNew = exploreNewest(which, stage.newest);
   const bool isLed = exploreLed(which, stage.led, stage.ledEach);
   const bool byWalks = exploreByWalks(which, stage.walks);
   if (byWalks) exploreLed(which, stage.led, stage.ledEach); // fewer are left, so each gets more
-  return bySlices || isRefined || isLed || byWalks;
+  return bySlices || isRefined || isNew || isLed || byWalks;
 }
 
 std::optional<Unsupported> Verification::stopDecided() {
@@ -123,6 +124,8 @@ std::optional<Unsupported> Verification::exploreWhole(const std::vector<std::siz
   if (order == Order::Led)
     distance.emplace(compiled.system, prepared.system, goals[0], prepared.reductions.dropped,
                      limits);
+  std::optional<Novelty> novelty;
+  if (order == Order::Led || order == Order::Newest) novelty.emplace(prepared.system);
   const bool isInOrder = order == Order::BreadthFirst;
   if (isInOrder) settle();
   if (isInOrder) settled.asked = which;
@@ -131,11 +134,13 @@ std::optional<Unsupported> Verification::exploreWhole(const std::vector<std::siz
   };
   const bool isShared = options.ranks && isInOrder && pause.at.classes == UINT64_MAX;
   if (isShared) callAssistants(*options.ranks, which);
-  auto found =
-      isShared ? searchByRanks(prepared, goals, limits, *options.ranks, onFound)
-               : search(prepared.system, goals, prepared.reductions, prepared.extrapolation, limits,
-                        onFound, pause, {distance ? &*distance : nullptr, order == Order::Walks},
-                        isInOrder && isSaving ? &*checkpoint : nullptr);
+  auto found = isShared ? searchByRanks(prepared, goals, limits, *options.ranks, onFound)
+                        : search(prepared.system, goals, prepared.reductions,
+                                 prepared.extrapolation, limits, onFound, pause,
+                                 {.distance = distance ? &*distance : nullptr,
+                                  .walks = order == Order::Walks,
+                                  .novelty = novelty ? &*novelty : nullptr},
+                                 isInOrder && isSaving ? &*checkpoint : nullptr);
   if (found.failure) return found.failure;
   if (!isInOrder || found.paused)
     addCounts(result.exploration, found.statistics);
@@ -224,6 +229,24 @@ bool Verification::exploreLed(const std::vector<std::size_t>& which, std::uint64
   const auto share = most / left.size();
   if (share == 0 || share < each) return false;
   for (auto i : left) exploreWhole({i}, {.at = {share}, .next = {}}, Order::Led);
+  return answered.size() > before;
+}
+
+/// Looks for all goals at once, new states first. \return whether any of the questions was answered
+/// \param most number of classes after which it ends, unless some of them have led to an answer
+bool Verification::exploreNewest(const std::vector<std::size_t>& which, std::uint64_t most) {
+  const auto before = answered.size();
+  std::vector<std::size_t> left;
+  for (auto i : which)
+    if (!answered.contains(i) && Slicer::canDecide(compiled.goals[i])) left.push_back(i);
+  if (left.empty() || most == 0) return false;
+  auto last = before;
+  std::uint64_t until = most;
+  const auto next = [&]() -> std::optional<SearchSize> {
+    if (answered.size() == std::exchange(last, answered.size())) return std::nullopt;
+    return SearchSize{.classes = until += most};
+  };
+  exploreWhole(left, {.at = {most}, .next = next}, Order::Newest);
   return answered.size() > before;
 }
 

@@ -55,7 +55,7 @@ private:
   bool isStoppedAt(const Stage& reached, const std::vector<std::size_t>& which);
   bool answersAny(const Stage& stage, const std::vector<std::size_t>& which);
   std::optional<Unsupported> stopDecided();
-  enum class Order : std::uint8_t { BreadthFirst, Led, Walks };
+  enum class Order : std::uint8_t { BreadthFirst, Led, Newest, Walks };
   std::optional<Unsupported> exploreWhole(const std::vector<std::size_t>& which, const Pause& pause,
                                           Order order = Order::BreadthFirst);
   [[nodiscard]] bool usesParts();
@@ -67,6 +67,7 @@ private:
   bool isAnyDecided(const auto& decide);
   [[nodiscard]] std::vector<std::size_t> leadable(const std::vector<std::size_t>& which) const;
   bool exploreLed(const std::vector<std::size_t>& which, std::uint64_t most, std::uint64_t each);
+  bool exploreNewest(const std::vector<std::size_t>& which, std::uint64_t most);
   bool exploreByWalks(const std::vector<std::size_t>& which, std::uint64_t most);
   bool isShownBySlice(std::size_t index, const Evidence* evidence, const Witness& witness);
 

@@ -80,7 +80,7 @@ TEST_CASE("The answers to an example do not depend on any one of the reductions"
                                                                   {"lift", "timed.proskill"}}));
   const codegen::Model model = example(folder, root);
   const verify::Result expected = answers(model, {});
-  CHECK(expected.exploration.complete);
+  for (const auto& answer : expected.answers) CHECK(answer.truth != Truth::Unknown);
   for (auto reduction : verify::Options{}.reductions) {
     verify::Options options;
     options.reductions.erase(reduction);

@@ -27,7 +27,7 @@ std::uint32_t distanceOf(const std::string& text, const std::string& condition) 
   REQUIRE(compiled);
   const auto laidOut = verify::withStateLayout(compiled->system);
   GoalDistance distance(compiled->system, laidOut, compiled->goals[0], {}, limits);
-  return distance.from(verify::initialState(laidOut).data());
+  return distance.from(verify::initialState(laidOut).data()).steps;
 }
 
 verify::Result answered(const std::string& text, const std::string& condition,

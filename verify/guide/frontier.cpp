@@ -5,26 +5,39 @@ namespace proskill::verify {
 void Frontier::add(const Word* state, TransitionId lastStep) {
   const Node node = added++;
   if (walks) walks->add(node);
-  if (!distance) return;
-  const Estimate estimate{distance->from(state), node};
+  if (!distance && !novelty) return;
   isTaken.push_back(false);
-  all.push(estimate);
-  if (lastStep != kNone && usefulSteps.contains(lastStep)) useful.push(estimate);
+  if (distance)
+    addByDistance(state, lastStep, node);
+  else
+    newest.push({novelty->seePair(state), 0, {0, node}});
+}
+
+void Frontier::addByDistance(const Word* state, TransitionId lastStep, Node node) {
+  const auto [length, left] = distance->from(state);
+  all.push({length, node});
+  if (lastStep != kNone && usefulSteps.contains(lastStep)) useful.push({length, node});
+  if (novelty) newest.push({novelty->seeValue(state, left), left, {length, node}});
 }
 
 Frontier::Node Frontier::take() {
   const Node inOrder = taken++;
   if (walks) return walks->take();
-  if (!distance) return inOrder;
-  isTurnOfUseful = !isTurnOfUseful;
-  if (isTurnOfUseful)
-    if (const auto node = takeFrom(useful)) return *node;
-  return takeFrom(all).value();
+  if (distance) return takeByDistance();
+  return novelty ? takeFrom(newest).value() : inOrder;
 }
 
-std::optional<Frontier::Node> Frontier::takeFrom(Queue& queue) {
+Frontier::Node Frontier::takeByDistance() {
+  const std::uint32_t turn = turns++ % (novelty ? 3 : 2);
+  std::optional<Node> node;
+  if (turn == 0) node = takeFrom(useful);
+  if (turn == 2) node = takeFrom(newest);
+  return node ? *node : takeFrom(all).value();
+}
+
+template <class Rank> std::optional<Frontier::Node> Frontier::takeFrom(Queue<Rank>& queue) {
   while (!queue.empty()) {
-    const Node node = queue.top().second;
+    const Node node = nodeOf(queue.top());
     queue.pop();
     if (isTaken[node]) continue;
     isTaken[node] = true;
@@ -35,6 +48,7 @@ std::optional<Frontier::Node> Frontier::takeFrom(Queue& queue) {
 
 void Frontier::expand(const Word* state) {
   if (distance) usefulSteps = distance->usefulSteps(state);
+  if (novelty) novelty->expand(state);
 }
 
 } // namespace proskill::verify

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "verify/guide/goal_distance.h"
+#include "verify/guide/novelty.h"
 #include "verify/guide/random_walks.h"
 
 #include <optional>
 #include <queue>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -14,20 +16,22 @@ namespace proskill::verify {
 struct Guide {
   GoalDistance* distance = nullptr; ///< to the only goal
   bool walks = false;               ///< at random
+  Novelty* novelty = nullptr;       ///< of states
 
-  [[nodiscard]] bool leads() const { return distance || walks; }
+  [[nodiscard]] bool leads() const { return distance || walks || novelty; }
 };
 
 /// The nodes that a search has to expand. Without a guide they come in the order in which they
-/// were found. With a distance, the node with the smallest estimate comes first, in turn among all
-/// nodes and among those that a useful step leads to: Richter and Helmert, "Preferred operators and
-/// deferred evaluation in satisficing planning", ICAPS 2009.
+/// were found. With novelty, the newest come first. With a distance, the node with the smallest
+/// estimate comes first, in turn among all nodes, among those that a useful step leads to, and,
+/// with novelty, among those that are new where as much of the goal is left: Richter and Helmert,
+/// "Preferred operators and deferred evaluation in satisficing planning", ICAPS 2009.
 class Frontier {
 public:
   using Node = std::uint32_t;
 
-  /// \pre the guide's distance outlives this
-  explicit Frontier(Guide guide) : distance(guide.distance) {
+  /// \pre what the guide refers to outlives this
+  explicit Frontier(Guide guide) : distance(guide.distance), novelty(guide.novelty) {
     if (guide.walks) walks.emplace();
   }
 
@@ -43,15 +47,23 @@ public:
 
 private:
   using Estimate = std::pair<std::uint32_t, Node>;
-  using Queue = std::priority_queue<Estimate, std::vector<Estimate>, std::greater<>>;
+  template <class Rank> using Queue = std::priority_queue<Rank, std::vector<Rank>, std::greater<>>;
+  /// How new a node is, how much of the goal is left there, and the estimate.
+  using Newness = std::tuple<Novelty::Degree, std::uint32_t, Estimate>;
 
-  std::optional<Node> takeFrom(Queue& queue);
+  void addByDistance(const Word* state, TransitionId lastStep, Node node);
+  [[nodiscard]] Node takeByDistance();
+  template <class Rank> std::optional<Node> takeFrom(Queue<Rank>& queue);
+  [[nodiscard]] static Node nodeOf(const Estimate& rank) { return rank.second; }
+  [[nodiscard]] static Node nodeOf(const Newness& rank) { return nodeOf(std::get<2>(rank)); }
 
   GoalDistance* distance;
+  Novelty* novelty;
   std::optional<RandomWalks> walks;
-  Queue all;
-  Queue useful; ///< those that a useful step leads to
-  bool isTurnOfUseful = false;
+  Queue<Estimate> all;
+  Queue<Estimate> useful; ///< those that a useful step leads to
+  Queue<Newness> newest;
+  std::uint32_t turns = 0;
   std::vector<bool> isTaken; ///< by node
   Bits usefulSteps;          ///< of the node that is expanded
   Node added = 0;

@@ -41,6 +41,7 @@ GoalDistance::GoalDistance(const System& of, const System& withLayout, const Goa
                            const Bits& dropped, LimitWatch& watch)
     : system(of), laidOut(withLayout), limits(watch), values(of.cells.size()) {
   wanted = goal.kind == GoalKind::Condition ? condition(goal.condition, false) : newFact();
+  if (goal.kind == GoalKind::Condition) addGoals(goal.condition, false);
   for (TransitionId i = 0; i < system.transitions.size(); ++i)
     if (!dropped.contains(i)) addTransition(i, goal);
   keepRelevant();
@@ -142,6 +143,15 @@ GoalDistance::FactId GoalDistance::madeCondition(NodeId id, bool isNegated) {
     addRule({right}, {made});
   }
   return made;
+}
+
+void GoalDistance::addGoals(NodeId id, bool isNegated) {
+  const Node& node = system.nodes[id];
+  if (node.op == NodeOp::Not) return addGoals(node.a, !isNegated);
+  if (node.op != (isNegated ? NodeOp::Or : NodeOp::And))
+    return goals.push_back(condition(id, isNegated));
+  addGoals(node.a, isNegated);
+  addGoals(node.b, isNegated);
 }
 
 /// Tries a condition with all values of its cells. One with too many of them counts as true.
@@ -359,11 +369,15 @@ template <class Each> void GoalDistance::eachOfPlan(Each each) {
   }
 }
 
-std::uint32_t GoalDistance::from(const Word* state) {
-  if (!reachGoal(state)) return kFar;
-  std::uint32_t length = 0;
-  eachOfPlan([&](const Rule& rule) { length += rule.length(); });
-  return length;
+GoalDistance::Estimate GoalDistance::from(const Word* state) {
+  if (!reachGoal(state)) return {};
+  Estimate estimate{0, 0};
+  eachOfPlan([&](const Rule& rule) {
+    estimate.steps += rule.length();
+    estimate.left += rule.counts ? 1 : 0;
+  });
+  for (auto goal : goals) estimate.left += costs[goal] == 0 ? 0 : 1;
+  return estimate;
 }
 
 Bits GoalDistance::usefulSteps(const Word* state) {

@@ -28,8 +28,12 @@ public:
   GoalDistance(const System& system, const System& laidOut, const Goal& goal, const Bits& dropped,
                LimitWatch& limits);
 
+  struct Estimate {
+    std::uint32_t steps = kFar;
+    std::uint32_t left = kFar; ///< conditions of the goal that do not hold, and changes of numbers
+  };
   /// \param state of `laidOut`
-  [[nodiscard]] std::uint32_t from(const Word* state);
+  [[nodiscard]] Estimate from(const Word* state);
   /// The transitions on the estimated way from a state to the goal. \param state of `laidOut`
   [[nodiscard]] Bits usefulSteps(const Word* state);
 
@@ -105,6 +109,7 @@ private:
   [[nodiscard]] FactId condition(NodeId node, bool isNegated);
   [[nodiscard]] FactId madeCondition(NodeId node, bool isNegated);
   [[nodiscard]] FactId comparison(NodeId node, bool isNegated);
+  void addGoals(NodeId node, bool isNegated);
   void addTransition(TransitionId id, const Goal& goal);
   void addWays(const Path& path, const Goal& goal, Way way, std::size_t& left);
   void addWay(Way way, std::size_t& left);
@@ -135,6 +140,7 @@ private:
   std::vector<TrackedCell> tracked;
   std::map<std::pair<NodeId, bool>, FactId> conditions;
   FactId wanted = 0;
+  std::vector<FactId> goals; ///< `wanted` is the conjunction of these
 
   // of one estimate:
   std::vector<std::uint32_t> costs; ///< by fact

@@ -1,0 +1,64 @@
+#include "verify/guide/novelty.h"
+#include "verify/state/evaluate.h"
+#include "verify/state/state_layout.h"
+
+#include <catch2/catch.hpp>
+
+namespace proskill::test::novelty_test {
+
+namespace {
+
+using verify::Novelty;
+
+/// A system of two cells with the values 0 to 3.
+verify::System twoCells() {
+  verify::System system;
+  for (const auto* name : {"x", "y"}) system.cells.push_back({.name = name, .high = 3});
+  return verify::withStateLayout(system);
+}
+
+class Seen {
+public:
+  Seen() : system(twoCells()), novelty(system) {}
+
+  Novelty::Degree pair(std::int64_t x, std::int64_t y) { return novelty.seePair(state(x, y)); }
+  Novelty::Degree value(std::int64_t x, std::int64_t y, std::uint32_t group) {
+    return novelty.seeValue(state(x, y), group);
+  }
+  void expand(std::int64_t x, std::int64_t y) { novelty.expand(state(x, y)); }
+
+private:
+  const verify::Word* state(std::int64_t x, std::int64_t y) {
+    words.assign(system.words, 0);
+    verify::writeCell(system, 0, x, words.data());
+    verify::writeCell(system, 1, y, words.data());
+    return words.data();
+  }
+
+  verify::System system;
+  Novelty novelty;
+  std::vector<verify::Word> words;
+};
+
+} // namespace
+
+TEST_CASE("a state is new by a value, by a pair of values, or not at all") {
+  Seen seen;
+  CHECK(seen.pair(0, 0) == Novelty::Degree::Value);
+  seen.expand(0, 0);
+  CHECK(seen.pair(1, 0) == Novelty::Degree::Value);
+  CHECK(seen.pair(0, 1) == Novelty::Degree::Value);
+  seen.expand(1, 0);
+  CHECK(seen.pair(1, 1) == Novelty::Degree::Pair);
+  CHECK(seen.pair(1, 1) == Novelty::Degree::None);
+}
+
+TEST_CASE("values are new in each group of states") {
+  Seen seen;
+  CHECK(seen.value(1, 2, 0) == Novelty::Degree::Value);
+  CHECK(seen.value(2, 1, 0) == Novelty::Degree::Value);
+  CHECK(seen.value(1, 1, 0) == Novelty::Degree::None);
+  CHECK(seen.value(1, 1, 1) == Novelty::Degree::Value);
+}
+
+} // namespace proskill::test::novelty_test

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "verify/model/system.h"
+
+#include <map>
+#include <vector>
+
+namespace proskill::verify {
+
+/// How new a state is among those seen before: it has a new value of some cell, or a new pair of
+/// values, or neither. A search that begins with new states soon reaches what needs few things at a
+/// time, however many processes there are. Lipovetzky and Geffner, "Width and serialization of
+/// classical planning problems", ECAI 2012, and "Best-first width search", AAAI 2017.
+class Novelty {
+public:
+  /// The smaller, the newer.
+  enum class Degree : std::uint8_t { Value, Pair, None };
+
+  /// \param laidOut with its state layout
+  explicit Novelty(const System& laidOut);
+
+  /// Notes the state from which the next ones are reached.
+  void expand(const Word* state);
+  /// The degree of a state, which is seen from now on. Pairs are looked at only among the values
+  /// that differ from the state that is expanded.
+  [[nodiscard]] Degree seePair(const Word* state);
+  /// The same by values alone, among the states of one group.
+  [[nodiscard]] Degree seeValue(const Word* state, std::uint32_t group);
+
+private:
+  /// A cell of which values are numbered from `first` on.
+  struct Tracked {
+    CellId cell = 0;
+    std::uint32_t first = 0;
+  };
+
+  void readValues(const Word* state);
+  [[nodiscard]] bool isNewPair(std::size_t one, std::size_t other);
+
+  const System& system;
+  std::vector<Tracked> tracked;
+  std::uint32_t count = 0;                         ///< of values of all cells
+  std::vector<bool> pairs;                         ///< by two values; empty: too many
+  std::map<std::uint32_t, std::vector<bool>> seen; ///< by group and value
+  std::vector<std::uint32_t> values; ///< of the state that is looked at, by tracked cell
+  std::vector<std::uint32_t> before; ///< of the state that is expanded
+};
+
+} // namespace proskill::verify
