@@ -7,6 +7,7 @@
 #include "verify/model/clocks.h"
 #include "verify/model/path_events.h"
 #include "verify/model/path_summary.h"
+#include "verify/model/place_counts.h"
 #include "verify/model/value_bounds.h"
 #include "verify/unsupported.h"
 
@@ -348,6 +349,7 @@ std::expected<Compiled, Unsupported> compile(const fiacre::Program& program,
       made.system.hasPriorities = made.system.hasPriorities || probe;
     }
     Assembler(model, std::move(probes), types, expressions, events, made.system).run();
+    dropNeedlessChecks(made.system, [&] { types.checkLimits(); });
     assignClocks(made.system);
     watch(provenance, model, types, made.system);
     addGrounds(provenance, model, expressions, made.system);

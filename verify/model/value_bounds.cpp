@@ -83,6 +83,14 @@ public:
     std::unreachable();
   }
 
+  /// \return nullopt if what is known contradicts itself
+  [[nodiscard]] std::optional<ValueBounds> ofKnown(NodeId node,
+                                                   const std::vector<KnownTruth>& known) const {
+    Bounding within = *this;
+    for (const auto& [condition, truth] : known) within.assume(condition, truth);
+    return within.isPossible ? std::optional(within.of(node)) : std::nullopt;
+  }
+
 private:
   [[nodiscard]] ValueBounds ofCell(CellId cell) const {
     const auto known = narrowed.find(cell);
@@ -98,11 +106,8 @@ private:
     return {std::min(then->low, otherwise->low), std::max(then->high, otherwise->high)};
   }
 
-  /// \return nullopt if the condition never has this truth
   [[nodiscard]] std::optional<ValueBounds> ofSide(NodeId condition, bool truth, NodeId side) const {
-    Bounding within = *this;
-    within.assume(condition, truth);
-    return within.isPossible ? std::optional(within.of(side)) : std::nullopt;
+    return ofKnown(side, {{condition, truth}});
   }
 
   void assume(NodeId id, bool truth) {
@@ -153,6 +158,11 @@ private:
 } // namespace
 
 ValueBounds valueBounds(const System& system, NodeId node) { return Bounding(system).of(node); }
+
+std::optional<ValueBounds> valueBounds(const System& system, NodeId node,
+                                       const std::vector<KnownTruth>& known) {
+  return Bounding(system).ofKnown(node, known);
+}
 
 bool mayFail(const System& system, NodeId id) {
   const Node& node = system.nodes[id];

@@ -2,6 +2,9 @@
 
 #include "verify/model/system.h"
 
+#include <optional>
+#include <vector>
+
 namespace proskill::verify {
 
 /// Arithmetic beyond it, or below its negation, is a fault.
@@ -14,6 +17,15 @@ struct ValueBounds {
   std::int64_t high = 0;
 };
 [[nodiscard]] ValueBounds valueBounds(const System& system, NodeId node);
+
+/// A condition that is known to be true, or to be false.
+struct KnownTruth {
+  NodeId condition = 0;
+  bool truth = true;
+};
+/// The bounds where all of this is known; nothing if it contradicts itself.
+[[nodiscard]] std::optional<ValueBounds> valueBounds(const System& system, NodeId node,
+                                                     const std::vector<KnownTruth>& known);
 
 /// Whether evaluation may cause a fault.
 [[nodiscard]] bool mayFail(const System& system, NodeId node);
