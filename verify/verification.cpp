@@ -207,7 +207,7 @@ bool Verification::areErrorsExcluded() {
   return isPlainlyNever(whole, Goal{.kind = GoalKind::Error}, limits);
 }
 
-/// \param decide asks parts of the system; it receives whom to tell the answers
+/// \param decide asks parts of the system; it receives a function for the answers
 bool Verification::isAnyDecided(const auto& decide) {
   const Witness witness(whole, none, provenance, limits);
   const Bits decided = decide([&](std::size_t i, const Evidence* evidence) {

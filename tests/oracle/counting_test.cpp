@@ -91,8 +91,8 @@ bool mayFail(const fiacre::Program& program) {
   return std::ranges::any_of(compiled->system.paths, &verify::Path::mayFail);
 }
 
-/// Whether the oracle meets an error, if only of a step that time never allows; nothing if the model
-/// is too large for it.
+/// Whether the oracle meets an error, if only of a step that time never allows; nothing if the
+/// model is too large for it.
 std::optional<bool> fails(const fiacre::Program& program) {
   try {
     const auto judged = oracle::judge(program, kLimit);

@@ -21,8 +21,8 @@ public:
 
   /// Notes the state from which the next ones are reached.
   void expand(const Word* state);
-  /// The degree of a state, which is seen from now on. Pairs are looked at only among the values
-  /// that differ from the state that is expanded.
+  /// The degree of a state, which is seen from now on. Only pairs with a value that differs from
+  /// the state that is expanded are considered.
   [[nodiscard]] Degree seePair(const Word* state);
   /// The same by values alone, among the states of one group.
   [[nodiscard]] Degree seeValue(const Word* state, std::uint32_t group);
@@ -42,7 +42,7 @@ private:
   std::uint32_t count = 0;                         ///< of values of all cells
   std::vector<bool> pairs;                         ///< by two values; empty: too many
   std::map<std::uint32_t, std::vector<bool>> seen; ///< by group and value
-  std::vector<std::uint32_t> values; ///< of the state that is looked at, by tracked cell
+  std::vector<std::uint32_t> values; ///< of the state that was read last, by tracked cell
   std::vector<std::uint32_t> before; ///< of the state that is expanded
 };
 

@@ -106,7 +106,7 @@ ProgressProof::Outcome ProgressProof::explore(InstanceId instance, const Slice& 
   return precision.growBy(slice, steps) ? Outcome::Refined : Outcome::GaveUp;
 }
 
-/// Excludes the steps of all instances that cannot go round in the slice, if it has all of their
+/// Excludes the steps of all instances that are on no cycle of the slice, if it has all of their
 /// repeating steps.
 void ProgressProof::settleOthers(const Slice& slice, const Bits& moving) {
   Bits inSlice;

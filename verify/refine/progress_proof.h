@@ -8,7 +8,7 @@
 namespace proskill::verify {
 
 /// Shows that time can always go on, one instance after the other: where time has stopped for ever,
-/// urgent steps repeat, so some instance goes round without time passing. A slice in which it
+/// urgent steps repeat, so some instance moves in a cycle without time passing. A slice in which it
 /// cannot do so shows that it is not this one. docs/verification.md has the argument.
 class ProgressProof {
 public:

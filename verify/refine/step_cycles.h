@@ -52,7 +52,7 @@ private:
   std::vector<std::uint32_t> component;
   Bits onCycles;
   bool isLacking = false;
-  // of the state that is looked at:
+  // of the state whose arcs are added:
   std::vector<Word> state;
   std::vector<Word> next;
   TransitionSet enabled;
