@@ -33,15 +33,16 @@ public:
     }
     return made + fmt::format("component main is var n: 0..{} := {}, b: bool := false\n"
                               "par * in {} end\nmain\n",
-                              most, random.chance(85) ? 0 : 1, fmt::join(instances, " || "));
+                              most, random.chance(75) ? 0 : 1, fmt::join(instances, " || "));
   }
 
 private:
   std::string process(std::size_t i) {
     const auto adds = random.chance(80) ? 1 : 2;
     const auto less = random.chance(90) ? adds : random.below(2) + 1;
+    const auto* states = random.chance(30) ? "d, a, c" : "a, c, d"; // may begin by giving back
     std::string made =
-        fmt::format("process P{} (&n: 0..{}, &b: bool) is states a, c, d\n", i, most);
+        fmt::format("process P{} (&n: 0..{}, &b: bool) is states {}\n", i, most, states);
     made += fmt::format("from a {}{}\n", wait(), taking(adds));
     made += fmt::format("from c select {}{}to {}", wait(), noise(), random.chance(70) ? "d" : "c");
     if (random.chance(40)) made += fmt::format(" [] {}{}to a", wait(), giving(less));
