@@ -61,6 +61,7 @@ _proskill_kinds() {
     'verify --environment') echo '-f' ;;
     'verify --save-traces') echo '-d' ;;
     'verify --report') echo '-d' ;;
+    'verify --spill') echo '-d' ;;
     'verify --checkpoint') echo '-f' ;;
     'verify --frac') echo '-c' ;;
     'verify --sift') echo '-c' ;;
@@ -104,7 +105,7 @@ _proskill_options() {
     replay) echo '--help --color' ;;
     run) echo '--help --main --platform --no-platform --script --clock --rate --seed --until --format --record --no-record --view --no-controls --no-open --port --groot --groot-port --realtime --controls --color' ;;
     stubs) echo '--help --language --main --color' ;;
-    verify) echo '--help --property --list --properties --environment --main --format --traces --save-traces --report --graph --graph-of --durations --explain-size --strict --color --time-limit --memory-limit --class-limit --checkpoint --every --backend --frac --sift --tina --selt --ktzio --cc --fraclib --keep --difference --cache --jobs --mpi --reduce --runs --expanded --sv-automata' ;;
+    verify) echo '--help --property --list --properties --environment --main --format --traces --save-traces --report --graph --graph-of --durations --explain-size --strict --color --time-limit --memory-limit --spill --class-limit --checkpoint --every --backend --frac --sift --tina --selt --ktzio --cc --fraclib --keep --difference --cache --jobs --mpi --reduce --runs --expanded --sv-automata' ;;
     view) echo '--help --main --from --no-open --time-limit --memory-limit --port' ;;
     *) echo '--help --version' ;;
   esac

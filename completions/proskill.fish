@@ -152,6 +152,7 @@ complete -c proskill -n '__fish_seen_subcommand_from verify' -l strict -d 'Exit 
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l color -d 'Colours; auto: on a terminal where NO_COLOR is not set (default auto)' -x -a 'auto always never'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l time-limit -d 'Time limit in seconds (default: none); properties not decided by then are inconclusive' -x
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l memory-limit -d 'Memory limit in MiB (default: none)' -x
+complete -c proskill -n '__fish_seen_subcommand_from verify' -l spill -d 'Keep the states of a search that needs more memory than its limit in this directory; nothing is left there at the end' -x -a '(__fish_complete_directories)'
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l class-limit -d 'Limit of explored state classes (default: none)' -x
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l checkpoint -d 'Save the state of a long search in this file, and go on from there if it exists; it is removed at the end' -r
 complete -c proskill -n '__fish_seen_subcommand_from verify' -l every -d 'Seconds between two checkpoints (default 60); more if writing would take over a tenth of the time' -x

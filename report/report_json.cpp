@@ -48,6 +48,7 @@ OrderedJson explorationJson(const verify::Exploration& exploration) {
     json["ranks"] = {{"count", exploration.ranks},
                      {"messages", exploration.messages},
                      {"bytes", exploration.sentBytes}};
+  if (exploration.spilledBytes > 0) json["spilledBytes"] = exploration.spilledBytes;
   return json;
 }
 

@@ -63,8 +63,20 @@ std::string LimitWatch::passed(std::uint64_t counted, std::uint64_t growth) {
   if (limits.seconds && now() - start >= *limits.seconds)
     return noted("the time limit was reached");
   if (limits.bytes && std::max(counted, resident(now())) + growth >= *limits.bytes)
-    return noted("the memory limit was reached");
+    return noted(std::string(kMemoryLimitMet));
   return {};
+}
+
+/// Some of what is left is for what is not counted: expansions, indices of files, code that was not
+/// used yet.
+std::optional<std::uint64_t> LimitWatch::bytesForDiskSearch(std::string_view met) {
+  if (!options.spill || met != kMemoryLimitMet || !options.limits.bytes) return std::nullopt;
+  giveBackFreeMemory();
+  measured = -1;
+  constexpr std::uint64_t kMostOfOthers = std::uint64_t{3} << 20;
+  const std::uint64_t used = resident(now());
+  const std::uint64_t left = *options.limits.bytes - std::min(used, *options.limits.bytes);
+  return (left - std::min(left / 2, kMostOfOthers)) / 4 * 3;
 }
 
 /// Asking the system takes some microseconds, so this does it at most once per millisecond.

@@ -3,6 +3,8 @@
 #include "verify/verify.h"
 
 #include <chrono>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 namespace proskill::verify {
@@ -12,6 +14,9 @@ namespace proskill::verify {
 struct LimitMet {
   std::string which;
 };
+
+/// The limit that a search on disk may get around.
+inline constexpr std::string_view kMemoryLimitMet = "the memory limit was reached";
 
 /// Checks the limits of a verification in all its phases, and reports progress.
 class LimitWatch {
@@ -48,6 +53,9 @@ public:
                          waiting < std::uint64_t{options.nodesBeforeThreads} * options.jobs;
     return isShort ? 1 : options.jobs;
   }
+  /// Bytes that a search on disk may have for its tables if another search has met this limit;
+  /// nothing if it is not that of memory. Call this when that search is gone.
+  [[nodiscard]] std::optional<std::uint64_t> bytesForDiskSearch(std::string_view met);
   /// Seconds since the start, and those that earlier processes took for the same verification.
   [[nodiscard]] double seconds() const { return now() - start + earlier; }
   void addEarlier(double seconds) { earlier = seconds; }

@@ -9,6 +9,7 @@
 #include "verify/reduce/monitor_view.h"
 #include "verify/reduce/prepared.h"
 #include "verify/slice/slice_search.h"
+#include "verify/spill/spilled_search.h"
 #include "verify/state/state_layout.h"
 
 #include <algorithm>
@@ -134,13 +135,18 @@ std::optional<Unsupported> Verification::exploreWhole(const std::vector<std::siz
   };
   const bool isShared = options.ranks && isInOrder && pause.at.classes == UINT64_MAX;
   if (isShared) callAssistants(*options.ranks, which);
+  const auto inMemory = [&] {
+    return search(prepared.system, goals, prepared.reductions, prepared.extrapolation, limits,
+                  onFound, pause,
+                  {.distance = distance ? &*distance : nullptr,
+                   .walks = order == Order::Walks,
+                   .novelty = novelty ? &*novelty : nullptr},
+                  isInOrder && isSaving ? &*checkpoint : nullptr);
+  };
   auto found = isShared ? searchByRanks(prepared, goals, limits, *options.ranks, onFound)
-                        : search(prepared.system, goals, prepared.reductions,
-                                 prepared.extrapolation, limits, onFound, pause,
-                                 {.distance = distance ? &*distance : nullptr,
-                                  .walks = order == Order::Walks,
-                                  .novelty = novelty ? &*novelty : nullptr},
-                                 isInOrder && isSaving ? &*checkpoint : nullptr);
+               : isInOrder && options.spill
+                   ? searchWithSpill(prepared, goals, limits, options, inMemory, onFound)
+                   : inMemory();
   if (found.failure) return found.failure;
   if (!isInOrder || found.paused)
     addCounts(result.exploration, found.statistics);
@@ -362,6 +368,8 @@ void Verification::keep(std::size_t index, const KnownAnswer& made) {
 }
 
 void Verification::answer(std::size_t index, Answer made) {
+  if (options.spill && made.reason == kMemoryLimitMet && hasOwnSearch(compiled.goals[index]))
+    made.reason = "only searches for states go to disk: " + made.reason;
   result.answers[index] = {made.truth, std::nullopt, made.reason, made.steps, made.duration};
   if (made.truth != Truth::Unknown)
     answered.insert(index);

@@ -16,6 +16,7 @@ namespace proskill::verify {
 class AnswerStore;     ///< verify/answer_store.h
 class CheckpointStore; ///< verify/checkpoint_store.h
 class Ranks;           ///< verify/ranks.h
+class SpillStore;      ///< verify/spill_store.h
 
 /// A question about a model: one of its properties, by index.
 struct Question {
@@ -200,6 +201,11 @@ struct Options {
   /// The processes that share long searches for states. All of them call the same functions with
   /// the same arguments; limits hold for each. The results are those of rank 0.
   Ranks* ranks = nullptr;
+  /// Where breadth-first searches for states, and the count of state classes, keep what does not
+  /// fit into the memory limit. They then begin again, with their graph there.
+  SpillStore* spill = nullptr;
+  /// If set, these searches begin there at once, with tables of so many bytes.
+  std::optional<std::uint64_t> spillBytes;
 };
 
 /// Size and cost of an exploration.
@@ -217,6 +223,7 @@ struct Exploration {
   unsigned ranks = 0;       ///< Options::ranks, if they shared a search; what they sent:
   std::uint64_t messages = 0;
   std::uint64_t sentBytes = 0;
+  std::uint64_t spilledBytes = 0; ///< on disk at most; 0: everything was in memory
 };
 
 struct Result {

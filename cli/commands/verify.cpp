@@ -71,6 +71,7 @@ verify::Options engineOptions(const VerifyArguments& arguments, ProgressLine* pr
   options.cancelled = &interrupted;
   options.checkpoint = checkpoint;
   if (arguments.ranks) options.ranks = &arguments.ranks->connected();
+  options.spill = arguments.spillDirectory;
   if (progress && !isAssistant(arguments))
     options.progress = progress->callback(timeOfCheckpoint(checkpoint));
   return options;
@@ -360,7 +361,15 @@ int verifyFile(const VerifyArguments& arguments) {
   return runModel(arguments, *program, *model);
 }
 
+int verifyWithSpill(VerifyArguments arguments) {
+  const auto directory = openSpill(arguments);
+  if (!directory) return fail(directory.error());
+  arguments.spillDirectory = directory->get();
+  return verifyFile(arguments);
+}
+
 int runVerify(const VerifyArguments& arguments) {
+  if (!arguments.spill.empty()) return verifyWithSpill(arguments);
   if (!arguments.mpi) return verifyFile(arguments);
   if (const auto problem = problemWithRanks(arguments)) return fail(*problem);
   const auto ranks = VerifyRanks::open();

@@ -6,6 +6,7 @@
 #include "verify/reduction_names.h"
 
 #include <algorithm>
+#include <csignal>
 #include <iostream>
 
 namespace proskill::cli {
@@ -98,11 +99,17 @@ void addLimits(CLI::App& command, VerifyArguments& arguments) {
                        "inconclusive")
            ->check(positiveSeconds()),
        group::kLimits, "SECONDS");
+  auto* memory = show(command
+                          .add_option("--memory-limit", arguments.memoryLimit,
+                                      "Memory limit in MiB (default: none)")
+                          ->check(integerBetween(1)),
+                      group::kLimits, "MIB");
   show(command
-           .add_option("--memory-limit", arguments.memoryLimit,
-                       "Memory limit in MiB (default: none)")
-           ->check(integerBetween(1)),
-       group::kLimits, "MIB");
+           .add_option("--spill", arguments.spill,
+                       "Keep the states of a search that needs more memory than its limit in this "
+                       "directory; nothing is left there at the end")
+           ->needs(memory),
+       group::kLimits, "DIRECTORY");
   show(command
            .add_option("--class-limit", arguments.classLimit,
                        "Limit of explored state classes (default: none)")
@@ -165,14 +172,40 @@ void addAdvanced(CLI::App& command, VerifyArguments& arguments) {
 
 } // namespace
 
+namespace {
+
+/// Whether state classes are to be counted.
+bool isCount(const VerifyArguments& arguments) {
+  return arguments.graph == "counts" && arguments.graphOf == verify::GraphKind::Classes;
+}
+
+/// Why a search on disk cannot do what is asked; nothing if it can.
+std::optional<std::string> problemWithSpill(const VerifyArguments& arguments) {
+  if (arguments.backend.backend != Backend::Engine) return "`--spill` needs `--backend engine`";
+  if (!arguments.checkpoint.file.empty()) return "`--spill` has no checkpoints";
+  if (arguments.mpi) return "`--spill` is for one process, without `--mpi`";
+  if (arguments.durations || arguments.explainSize)
+    return "`--spill` is not for `--durations` and `--explain-size`, whose searches stay in memory";
+  if (arguments.list || (!arguments.graph.empty() && !isCount(arguments)))
+    return "`--spill` is for verifications and `--graph counts`, but for no other graphs";
+  return std::nullopt;
+}
+
+} // namespace
+
 std::optional<std::string> problemWithRanks(const VerifyArguments& arguments) {
   if (arguments.backend.backend != Backend::Engine) return "`--mpi` needs `--backend engine`";
   if (!arguments.checkpoint.file.empty()) return "`--mpi` has no checkpoints";
-  const bool isCount =
-      arguments.graph == "counts" && arguments.graphOf == verify::GraphKind::Classes;
-  if (arguments.list || (!arguments.graph.empty() && !isCount))
+  if (arguments.list || (!arguments.graph.empty() && !isCount(arguments)))
     return "`--mpi` verifies properties, or counts classes with `--graph counts`";
   return std::nullopt;
+}
+
+std::expected<std::unique_ptr<cache::SpillDirectory>, std::string>
+openSpill(const VerifyArguments& arguments) {
+  if (auto problem = problemWithSpill(arguments)) return std::unexpected(std::move(*problem));
+  std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error like a full disk
+  return cache::SpillDirectory::open(arguments.spill);
 }
 
 std::set<verify::Reduction> chosenReductions(const std::vector<std::string>& names) {

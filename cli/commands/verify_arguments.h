@@ -1,5 +1,6 @@
 #pragma once
 
+#include "cache/spill_directory.h"
 #include "cli/output/checkpoint.h"
 #include "cli/output/tina_backend.h"
 #include "cli/ranks/verify_ranks.h"
@@ -36,6 +37,7 @@ struct VerifyArguments {
   std::vector<std::string> reduce;
   std::string cache;
   CheckpointArguments checkpoint;
+  std::string spill; ///< a directory; empty: searches stay in memory
   std::string graph;
   verify::GraphKind graphOf = verify::GraphKind::Classes;
   BackendArguments backend;
@@ -46,7 +48,8 @@ struct VerifyArguments {
   bool explainSize = false;
   bool expanded = false;
   bool mpi = false;
-  VerifyRanks* ranks = nullptr; ///< with `mpi`, once they are connected
+  VerifyRanks* ranks = nullptr;                    ///< with `mpi`, once they are connected
+  cache::SpillDirectory* spillDirectory = nullptr; ///< with `spill`, once it is open
   codegen::StateVariableAutomata automata = codegen::StateVariableAutomata::Exact;
 };
 
@@ -55,6 +58,11 @@ void addVerifyOptions(CLI::App& command, VerifyArguments& arguments);
 
 /// Why several ranks cannot do what is asked; nothing if they can.
 [[nodiscard]] std::optional<std::string> problemWithRanks(const VerifyArguments& arguments);
+
+/// Opens the directory for searches on disk. The error is a message, also if these cannot do what
+/// is asked.
+[[nodiscard]] std::expected<std::unique_ptr<cache::SpillDirectory>, std::string>
+openSpill(const VerifyArguments& arguments);
 
 /// The reductions with these names; all if there are none.
 [[nodiscard]] std::set<verify::Reduction> chosenReductions(const std::vector<std::string>& names);

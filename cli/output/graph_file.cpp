@@ -15,7 +15,8 @@ namespace proskill::cli {
 
 namespace {
 
-/// Prints one line with counts, in the form of sift, and the time; then what ranks have sent.
+/// Prints one line with counts, in the form of sift, and the time; then what ranks have sent, and
+/// what was on disk.
 void printCounts(const verify::Exploration& counted) {
   fmt::print("{} classe(s), {} marking(s), {} domain(s), {} transition(s)\n{:.3f}s\n",
              counted.classes, counted.markings, counted.domains, counted.transitions,
@@ -23,6 +24,7 @@ void printCounts(const verify::Exploration& counted) {
   if (counted.ranks > 0)
     fmt::print("{} rank(s), {} message(s), {} byte(s) sent\n", counted.ranks, counted.messages,
                counted.sentBytes);
+  if (counted.spilledBytes > 0) fmt::print("{} byte(s) on disk\n", counted.spilledBytes);
 }
 
 int failIncomplete(const verify::Exploration& counted) {

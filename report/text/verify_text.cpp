@@ -180,6 +180,8 @@ void writeSummary(std::ostream& out, const VerifyReport& report, const Paint& pa
     out << fmt::format("{} rank{} sent {} messages with {}\n", explored.ranks,
                        explored.ranks == 1 ? "" : "s", explored.messages,
                        bytesText(explored.sentBytes));
+  if (explored.spilledBytes > 0)
+    out << fmt::format("The states took {} on disk at most\n", bytesText(explored.spilledBytes));
   if (explored.known > 0)
     out << fmt::format("{} of {} verdicts were known from before\n",
                        std::min<std::uint64_t>(explored.known, rows.size()), rows.size());

@@ -2,6 +2,7 @@
 
 #include "tests/oracle/replay.h"
 #include "tests/support/oracle/judge.h"
+#include "tests/support/spill_in_memory.h"
 
 #include "fiacre/print/print.h"
 
@@ -67,6 +68,10 @@ const std::vector<std::pair<std::string, Options>>& settings() {
     made.emplace_back("slices in the middle", Options{.classesBeforeSlices = 5});
     made.emplace_back("two threads",
                       Options{.jobs = 2, .classesBeforeThreads = 0, .nodesBeforeThreads = 0});
+    static test::SpillInMemory disk;
+    made.emplace_back("on disk", Options{.spill = &disk, .spillBytes = 1});
+    made.emplace_back("on disk, no reduction",
+                      Options{.reductions = {}, .spill = &disk, .spillBytes = 5000});
     made.emplace_back(
         "three threads, no reduction",
         Options{.reductions = {}, .jobs = 3, .classesBeforeThreads = 5, .nodesBeforeThreads = 0});

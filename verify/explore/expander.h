@@ -64,6 +64,8 @@ public:
   /// Loads the node to expand.
   /// \param stored the state as it is stored \param signature and \param zone of the own timing
   void load(const Word* stored, SignatureId signature, ZoneId zone);
+  /// Call this when signatures and zones have got other numbers.
+  void forgetLoaded() { loaded.state.clear(); }
   [[nodiscard]] const Word* loadedState() const { return loaded.state.data(); }
   /// Computes all successors, or only those by one step. \throw LimitMet
   void expand(Expansion& to, TransitionId only = kNone);

@@ -1,5 +1,6 @@
 #include "verify/explore/search.h"
 
+#include "verify/progress/graph_nodes.h"
 #include "verify/reduce/free_inputs.h"
 #include "verify/state/exact_zone.h"
 
@@ -14,15 +15,17 @@ bool isStuckGoal(const Goal& goal) { return goal.kind == GoalKind::Stuck; }
 /// \throw LimitMet
 std::optional<Evidence> findStuck(const System& system, const Reductions& reductions,
                                   Explorer& explorer, LimitWatch& limits) {
-  ProgressCheck check(system, reductions, explorer.explored(), limits);
+  GraphNodes nodes(explorer.explored());
+  ProgressCheck check(system, reductions, nodes, limits);
   auto stuck = check.find();
   if (!check.stopped().empty()) throw LimitMet{check.stopped()};
   if (!stuck) return std::nullopt;
   const ZoneGraph& graph = explorer.explored();
-  Evidence evidence{explorer.pathTo(stuck->node), stuck->clocks};
+  const auto node = static_cast<NodeIndex>(stuck->node);
+  Evidence evidence{explorer.pathTo(node), stuck->clocks};
   if (!reductions.freeInputs) return evidence;
   std::vector<Word> stored(system.words);
-  graph.states.read(graph.stateOf(stuck->node), stored.data());
+  graph.states.read(graph.stateOf(node), stored.data());
   const auto inputs = reductions.freeInputs->between(stored.data(), stuck->state.data());
   evidence.steps.insert(evidence.steps.end(), inputs.begin(), inputs.end());
   return evidence;
@@ -87,6 +90,7 @@ void addCounts(Exploration& to, const Exploration& more) {
   to.ranks = std::max(to.ranks, more.ranks);
   to.messages += more.messages;
   to.sentBytes += more.sentBytes;
+  to.spilledBytes = std::max(to.spilledBytes, more.spilledBytes);
 }
 
 void add(Exploration& to, const Exploration& more) {

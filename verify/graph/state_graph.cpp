@@ -1,6 +1,7 @@
 #include "verify/graph/class_graph.h"
 
 #include "verify/compile/compile.h"
+#include "verify/graph/spilled_classes.h"
 #include "verify/limits.h"
 #include "verify/state/state_layout.h"
 
@@ -69,6 +70,7 @@ std::expected<Exploration, Unsupported> countClasses(const fiacre::Program& prog
   if (!compiled) return std::unexpected(compiled.error());
   const System system = withStateLayout(std::move(compiled->system));
   if (auto why = withoutClasses(system)) return std::unexpected(*why);
+  if (options.spill) return countWithSpill(system, limits, options);
   if (!options.checkpoint) return ClassGraph(system, limits, nullptr, nullptr, options.ranks).run();
   Checkpoint checkpoint(*options.checkpoint, limits);
   return ClassGraph(system, limits, nullptr, &checkpoint).run();

@@ -18,12 +18,13 @@ std::size_t wordsOfLevels(const System& system) {
 
 } // namespace
 
-ProgressCheck::ProgressCheck(const System& of, const Reductions& with, ZoneGraph& explored,
-                             LimitWatch& watch)
+ProgressCheck::ProgressCheck(const System& of, const Reductions& with, ExploredNodes& explored,
+                             LimitWatch& watch, std::uint64_t bytes)
     : system(of),
       reductions(with),
       graph(explored),
       limits(watch),
+      mostBytes(bytes),
       recurrent(recurrentSteps(of, with.dropped, watch)),
       levelsFrom(with.freeInputs ? of.storedWords * 2 : of.storedWords),
       moments(static_cast<std::uint32_t>(levelsFrom + wordsOfLevels(of))) {}
@@ -62,26 +63,30 @@ std::optional<StuckMoment> ProgressCheck::find() {
 
 std::optional<StuckMoment> ProgressCheck::findAmong(bool urgent) {
   Moment moment;
-  StateId loaded = kNone;
-  for (NodeIndex i = 0; i < graph.size() && !isStopped(); ++i) {
-    const StateId state = graph.stateOf(i);
-    if (graph.isSubsumed(i) || graph.timing.at(graph.signatureOf(state)).urgent != urgent) continue;
-    if (state != loaded) loadNode(state, moment);
-    loaded = state;
+  constexpr std::uint64_t kNothing = UINT64_MAX;
+  std::uint64_t loaded = kNothing;
+  for (graph.rewind(); !isStopped() && graph.next();) {
+    if (rememberedBytes() > mostBytes) {
+      forget();
+      loaded = kNothing;
+    }
+    if (graph.timing.at(graph.signature()).urgent != urgent) continue;
+    if (loaded != graph.state()) loadNode(moment);
+    loaded = graph.state();
     moment.levels.assign(graph.timing.at(moment.signature).clocks.size(), 0);
-    if (split(graph.timing.zones().zone(graph.zoneOf(i)), 0, moment))
-      return StuckMoment{i, ranges(moment), moment.state};
+    if (split(graph.zone(), 0, moment))
+      return StuckMoment{graph.node(), ranges(moment), moment.state};
   }
   return std::nullopt;
 }
 
-void ProgressCheck::loadNode(StateId state, Moment& moment) {
+void ProgressCheck::loadNode(Moment& moment) {
   moment.state.assign(system.words, 0);
-  graph.states.read(state, moment.state.data());
+  graph.readState(moment.state.data());
   if (reductions.freeInputs)
     moment.unknown = reductions.freeInputs->chosenBits(moment.state.data());
   graph.enabling.compute(moment.state.data(), moment.enabled);
-  moment.signature = graph.signatureOf(state);
+  moment.signature = graph.signature();
 }
 
 /// Enumerates the kinds of moments of a zone, clock by clock. \return true if a bad one was found,
@@ -105,16 +110,29 @@ bool ProgressCheck::split(const Dbm& zone, std::size_t clock, Moment& moment) {
 bool ProgressCheck::isStopped() {
   constexpr std::uint64_t kBetweenChecks = 64;
   if (!stoppedBy.empty() || ++steps % kBetweenChecks != 0) return !stoppedBy.empty();
-  const std::uint64_t bytes = graph.bytes() + moments.bytes() +
-                              verdicts.capacity() * sizeof(Verdict) +
-                              (metIn.capacity() + openAt.capacity()) * sizeof(std::uint32_t);
-  stoppedBy = limits.met({.classes = graph.size(),
-                          .markings = graph.states.size(),
-                          .bytes = bytes,
-                          .seconds = limits.seconds()},
-                         graph.growth() + moments.growth() + growthOf(verdicts) + growthOf(metIn) +
-                             growthOf(openAt));
+  Progress progress = graph.progress();
+  progress.bytes += rememberedBytes();
+  progress.seconds = limits.seconds();
+  stoppedBy = limits.met(progress, graph.growth() + moments.growth() + growthOf(verdicts) +
+                                       growthOf(metIn) + growthOf(openAt));
   return !stoppedBy.empty();
+}
+
+std::uint64_t ProgressCheck::rememberedBytes() const {
+  return moments.bytes() + verdicts.capacity() * sizeof(Verdict) +
+         (metIn.capacity() + openAt.capacity()) * sizeof(std::uint32_t) +
+         2 * graph.timing.signatureBytes(); // thresholds are about as large
+}
+
+/// What is known about moments and signatures only saves repetitions. Call this between two
+/// searches.
+void ProgressCheck::forget() {
+  known = {};
+  graph.forget();
+  moments = StateStore(static_cast<std::uint32_t>(levelsFrom + wordsOfLevels(system)));
+  verdicts = {};
+  metIn = {};
+  openAt = {};
 }
 
 /// Whether time has stopped for some values of the free inputs; sets these values in `moment`.

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "verify/limits.h"
+#include "verify/progress/explored_nodes.h"
 #include "verify/reduce/reductions.h"
-#include "verify/space/zone_graph.h"
 
 namespace proskill::verify {
 
@@ -15,7 +15,7 @@ struct ClockRange {
 
 /// A reachable moment at which time is stopped unless an optional step happens.
 struct StuckMoment {
-  NodeIndex node = 0;
+  std::uint64_t node = 0;         ///< its number among the explored ones
   std::vector<ClockRange> clocks; ///< bounds on the relevant clocks
   std::vector<Word> state; ///< of the node, with values of free inputs for which time is stopped
 };
@@ -38,8 +38,9 @@ struct StuckMoment {
 class ProgressCheck {
 public:
   /// \pre the arguments outlive this
-  ProgressCheck(const System& system, const Reductions& reductions, ZoneGraph& graph,
-                LimitWatch& limits);
+  /// \param bytes that may be used to remember moments; more are forgotten
+  ProgressCheck(const System& system, const Reductions& reductions, ExploredNodes& nodes,
+                LimitWatch& limits, std::uint64_t bytes = UINT64_MAX);
 
   /// A stuck moment; nothing if there is none or if a limit stopped the search.
   [[nodiscard]] std::optional<StuckMoment> find();
@@ -88,7 +89,7 @@ private:
   };
 
   std::optional<StuckMoment> findAmong(bool urgent);
-  void loadNode(StateId state, Moment& moment);
+  void loadNode(Moment& moment);
   bool split(const Dbm& zone, std::size_t clock, Moment& moment);
   bool hasStuckChoice(Moment& moment);
   Found search(const Moment& moment);
@@ -106,11 +107,14 @@ private:
   [[nodiscard]] std::vector<ClockRange> ranges(const Moment& moment);
 
   bool isStopped();
+  [[nodiscard]] std::uint64_t rememberedBytes() const;
+  void forget();
 
   const System& system;
   const Reductions& reductions;
-  ZoneGraph& graph;
+  ExploredNodes& graph;
   LimitWatch& limits;
+  std::uint64_t mostBytes;
   TransitionSet recurrent;
   std::string stoppedBy;
   std::uint64_t steps = 0;       ///< since the start; the limits are checked every so many steps

@@ -1,5 +1,6 @@
 #include "verify/ranks/shared_search.h"
 
+#include "verify/progress/graph_nodes.h"
 #include "verify/progress/progress_check.h"
 #include "verify/ranks/rank_explorer.h"
 #include "verify/reduce/free_inputs.h"
@@ -68,7 +69,8 @@ private:
   /// What this rank has found, as bytes; empty if that is nothing.
   std::string ownStuck(RankExplorer& explorer, std::string& stopped) {
     try {
-      ProgressCheck check(prepared.system, prepared.reductions, explorer.explored(), limits);
+      GraphNodes nodes(explorer.explored());
+      ProgressCheck check(prepared.system, prepared.reductions, nodes, limits);
       const auto found = check.find();
       stopped = check.stopped();
       if (found) return bytesOf([&](CheckpointWriter& to) { write(to, *found); });

@@ -207,6 +207,16 @@ void LiveVariables::clean(Word* state) const {
   }
 }
 
+std::uint64_t LiveVariables::rememberedBytes() const {
+  return keys.bytes() + masks.size() * (sizeof masks[0] + system.storedWords * sizeof(Word));
+}
+
+void LiveVariables::forget() const {
+  keys = StateStore(system.storedWords);
+  masks.clear();
+  lastKey.clear();
+}
+
 void LiveVariables::findHere(const Word* state) const {
   here.clear();
   for (InstanceId i = 0; i < system.instances.size(); ++i) {

@@ -24,6 +24,9 @@ public:
 
   /// Sets the dead cells of a packed state to their lowest value. A second call changes nothing.
   void clean(Word* state) const;
+  /// Bytes of what is remembered about states, and a way to forget it.
+  [[nodiscard]] std::uint64_t rememberedBytes() const;
+  void forget() const;
 
 private:
   /// A condition on one cell that must hold before a path can be taken.

@@ -12,10 +12,15 @@ namespace proskill::verify {
 /// Bozga, Maler, "On interleaving in timed automata", CONCUR 2006.
 class ZoneCover {
 public:
+  ZoneCover() = default;
+  /// The cover that has these zones: those of another one, in their order.
+  explicit ZoneCover(std::vector<Dbm> of) : parts(std::move(of)) {}
+
   /// Whether one of the merged zones includes this zone.
   [[nodiscard]] bool includesZone(std::span<const Bound> zone) const;
   void add(Dbm zone);
   [[nodiscard]] std::size_t size() const { return parts.size(); }
+  [[nodiscard]] const std::vector<Dbm>& all() const { return parts; }
   [[nodiscard]] std::uint64_t bytes() const;
 
 private:

@@ -38,6 +38,11 @@ std::uint32_t FiringDomains::signature(bool urgent, const std::vector<Transition
   return id;
 }
 
+std::uint64_t FiringDomains::signatureBytes() const {
+  const std::uint64_t each = sizeof(Signature) + delays.size() * sizeof(Delay); // at most
+  return table.bytes() + signatures.size() * each;
+}
+
 ZoneId FiringDomains::initial(std::uint32_t id) {
   return enter(Dbm(0), std::vector<std::uint32_t>(signatures[id].delays.size()), signatures[id]);
 }

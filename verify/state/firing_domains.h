@@ -25,12 +25,22 @@ public:
                     [&] { return calculate(domain, before, transition, after); });
   }
   [[nodiscard]] const ZoneStore& zones() const { return store; }
+  /// Removes all domains and signatures. \pre nobody needs their numbers
+  void forget() {
+    signatures = {};
+    table = {};
+    store = {};
+    memo = {};
+  }
+  /// Bytes of the signatures, which bytes() does not count.
+  [[nodiscard]] std::uint64_t signatureBytes() const;
   [[nodiscard]] ZoneId adopt(const Dbm& domain) { return store.add(domain); }
   /// The dimension of the domains of a signature.
   [[nodiscard]] std::size_t dimensionOf(std::uint32_t signature) const {
     return signatures[signature].delays.size() + 1;
   }
   [[nodiscard]] std::uint64_t bytes() const { return store.bytes() + memo.bytes(); }
+  [[nodiscard]] std::uint64_t growth() const { return store.growth() + memo.growth(); }
 
 private:
   using Delay = std::uint32_t;

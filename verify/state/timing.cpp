@@ -65,6 +65,13 @@ void describeClocks(const System& system, Extrapolation extrapolation, Signature
   }
 }
 
+std::uint64_t bytesOf(const Signature& it) {
+  constexpr std::uint64_t kOfAllocations = 5 * 16;
+  return sizeof it + kOfAllocations + it.enabled.size() * sizeof(TransitionId) +
+         it.clocks.size() * sizeof(ClockId) + it.invariants.size() * sizeof(Bound) +
+         (it.lower.size() + it.upper.size()) * sizeof(std::int32_t);
+}
+
 } // namespace
 
 SignatureId Timing::signature(bool urgent, const TransitionSet& enabled,
@@ -84,9 +91,19 @@ SignatureId Timing::signature(bool urgent, const TransitionSet& enabled,
   for (std::size_t k = 0; k < set.size(); ++k) set[k] &= clocked[k];
   eachIn(set, [&](TransitionId transition) { made.enabled.push_back(transition); });
   describeClocks(system, extrapolation, made);
+  ofSignatures += bytesOf(made) + sizeof set + set.size() * sizeof(Word);
   signatures.push_back(std::move(made));
   sets.push_back(std::move(set));
   return id;
+}
+
+void Timing::forget() {
+  signatures = {};
+  sets = {};
+  ofSignatures = 0;
+  table = {};
+  store = {};
+  memo = {};
 }
 
 SignatureId Timing::adopt(const Timing& from, SignatureId id) {

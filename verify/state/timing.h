@@ -55,6 +55,10 @@ public:
   [[nodiscard]] SignatureId adopt(const Timing& from, SignatureId id);
   [[nodiscard]] ZoneId adopt(const ZoneStore& from, ZoneId id) { return store.add(from.zone(id)); }
   [[nodiscard]] ZoneId adopt(const Dbm& zone) { return store.add(zone); }
+  /// Removes all zones and signatures. \pre nobody needs their numbers
+  void forget();
+  /// Bytes of the signatures, which bytes() does not count.
+  [[nodiscard]] std::uint64_t signatureBytes() const { return ofSignatures + table.bytes(); }
   [[nodiscard]] std::uint32_t signatureCount() const {
     return static_cast<std::uint32_t>(signatures.size());
   }
@@ -74,6 +78,7 @@ private:
   Extrapolation extrapolation;
   std::vector<Signature> signatures;
   std::vector<TransitionSet> sets; ///< by signature
+  std::uint64_t ofSignatures = 0;  ///< bytes of both
   NumberTable table;
   ZoneStore store;
   Memo memo;
