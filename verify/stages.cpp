@@ -8,9 +8,9 @@ std::vector<Stage> stagesOf(const Options& options) {
   const std::uint64_t size = options.classesBeforeSlices;
   const std::uint64_t led = options.classesOfLedSearches;
   const std::uint64_t unit = std::max<std::uint64_t>(size, 100);
-  return {{.at = {size}, .newest = std::min(4 * size, led)},
-          {.at = {size},
+  return {{.at = {size},
            .slices = {8 * size, 100 * size},
+           .newest = std::min(4 * size, led),
            .led = std::min(2 * size, led),
            .ledEach = size / 2,
            .walks = std::min(4 * size, led)},

@@ -77,7 +77,7 @@ std::optional<Unsupported> Verification::explore(std::vector<std::size_t> which)
     std::erase_if(which, [&](std::size_t i) { return isAnsweredPlainly(i); });
     if (which.empty()) return settleStates(false), std::nullopt;
     if (isEdit) exploreSlices(which, {}); // what an edit does not concern is known
-    stage = isEdit ? 2 : 0;               // slices have been asked
+    stage = isEdit ? 1 : 0;
     if (!limits.lastMet().empty()) isSaving = false;
   }
   const auto stages = stagesOf(options);
