@@ -208,7 +208,8 @@ void LiveVariables::clean(Word* state) const {
 }
 
 std::uint64_t LiveVariables::rememberedBytes() const {
-  return keys.bytes() + masks.size() * (sizeof masks[0] + system.storedWords * sizeof(Word));
+  return keys.bytes() +
+         masks.size() * (sizeof(std::vector<Word>) + system.storedWords * sizeof(Word));
 }
 
 void LiveVariables::forget() const {

@@ -91,7 +91,7 @@ SignatureId Timing::signature(bool urgent, const TransitionSet& enabled,
   for (std::size_t k = 0; k < set.size(); ++k) set[k] &= clocked[k];
   eachIn(set, [&](TransitionId transition) { made.enabled.push_back(transition); });
   describeClocks(system, extrapolation, made);
-  ofSignatures += bytesOf(made) + sizeof set + set.size() * sizeof(Word);
+  ofSignatures += bytesOf(made) + sizeof(TransitionSet) + set.size() * sizeof(Word);
   signatures.push_back(std::move(made));
   sets.push_back(std::move(set));
   return id;
