@@ -19,9 +19,9 @@ enum class Outcomes : std::uint8_t {
 /// values of the inputs that its conditions and effects read, and its events as instantaneous
 /// actions. A comment above each action names the skill with its outcome, `only` if it has no
 /// other, and its inputs, `input=value` or `input:type`, or the event; comments also name
-/// environments, and say what predicates and functions stand for. \return the domain, or the parts
-/// without which a plan would mean something else: conditions about skills, effects that copy a
-/// variable, and inputs that are read and have too many values
+/// environments, and say what predicates and functions stand for.
+/// \return the domain, or the parts without which a plan would mean something else: conditions
+/// about skills, effects that copy a variable, and inputs that are read and have too many values
 [[nodiscard]] std::expected<Emitted, Errors> emitDomain(const analysis::Program& program,
                                                         const std::string& name, Outcomes outcomes);
 
