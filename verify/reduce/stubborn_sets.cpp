@@ -117,11 +117,14 @@ const TransitionSet& StubbornSets::helpersOf(const Touching& touching, NodeId no
 }
 
 void StubbornSets::findNeeds(const Touching& touching, const Bits& dropped) {
+  partners.resize(system.instances.size());
   for (TransitionId i = 0; i < system.transitions.size(); ++i) {
     limits->check();
     const auto& transition = system.transitions[i];
     auto& made = needs.emplace_back();
     made.locations = placesOf(system, transition);
+    for (const auto& [instance, location] : made.locations)
+      partners[instance].emplace_back(i, location);
     made.tentative = transition.tentative;
     if (dropped.contains(i)) continue;
     for (auto part : transition.parts)
@@ -137,6 +140,7 @@ void StubbornSets::findNeeds(const Touching& touching, const Bits& dropped) {
 
 void StubbornSets::findWays(const Bits& dropped) {
   for (const auto& instance : system.instances) {
+    others.emplace_back(instance.locations.size());
     moves.emplace_back(instance.locations.size());
     ways.emplace_back(instance.locations.size());
     auto& all = reached.emplace_back(instance.locations.size());
@@ -173,6 +177,22 @@ const TransitionSet& StubbornSets::waysTo(InstanceId instance, std::uint32_t fro
   for (const auto& move : moves[instance][from])
     if (reached[instance][move.to].contains(target)) insert(made, move.transition);
   return made;
+}
+
+/// The transitions for which an instance must be in another location.
+const TransitionSet& StubbornSets::elsewhere(InstanceId instance, std::uint32_t from) const {
+  TransitionSet& made = others[instance][from];
+  if (!made.empty()) return made;
+  made = none;
+  for (const auto& [transition, location] : partners[instance])
+    if (location != from) insert(made, transition);
+  return made;
+}
+
+/// Whether the set holds all that the instance may do next.
+bool StubbornSets::isLeftInside(InstanceId instance, std::uint32_t from) const {
+  return std::ranges::all_of(moves[instance][from],
+                             [&](const Move& move) { return contains(stubborn, move.transition); });
 }
 
 /// The transitions that are enabled in every state.
@@ -253,7 +273,7 @@ bool StubbornSets::isStubbornAlone(TransitionId transition, const Word* state,
         insert(done, id);
         const TransitionSet* reason = reasonFor(id, state, enabled);
         if (!reason) return false;
-        for (std::size_t i = 0; i < stubborn.size(); ++i) stubborn[i] |= (*reason)[i];
+        add(*reason, stubborn);
         changed = true;
       }
     }
@@ -284,10 +304,10 @@ const TransitionSet* StubbornSets::reasonFor(TransitionId transition, const Word
     auto now =
         static_cast<std::uint32_t>(readCell(system, system.instances[instance].location, state));
     if (now == location) continue;
-    const bool all = std::ranges::all_of(moves[instance][now], [&](const Move& move) {
-      return contains(stubborn, move.transition);
-    });
-    if (all) return &none; // whatever the instance does next is in the set
+    if (isLeftInside(instance, now)) {
+      add(elsewhere(instance, now), done);
+      return &none;
+    }
     consider(waysTo(instance, now, location));
   }
   for (const auto& condition : needed.conditions)

@@ -53,6 +53,8 @@ private:
   [[nodiscard]] TransitionSet alwaysPossible() const;
   [[nodiscard]] const TransitionSet& waysTo(InstanceId instance, std::uint32_t from,
                                             std::uint32_t target) const;
+  [[nodiscard]] const TransitionSet& elsewhere(InstanceId instance, std::uint32_t from) const;
+  [[nodiscard]] bool isLeftInside(InstanceId instance, std::uint32_t from) const;
   [[nodiscard]] bool isStubbornAlone(TransitionId transition, const Word* state,
                                      const TransitionSet& enabled) const;
   [[nodiscard]] const TransitionSet* reasonFor(TransitionId transition, const Word* state,
@@ -71,9 +73,12 @@ private:
     std::uint32_t to;
   };
   std::vector<std::vector<std::vector<Move>>> moves; ///< by instance and location
+  /// By instance: the transitions in which it takes part, and from which location.
+  std::vector<std::vector<std::pair<TransitionId, std::uint32_t>>> partners;
   std::vector<std::vector<Bits>> reached; ///< by instance and location: reachable locations
   /// Cache of waysTo, by instance and two locations; empty where it is not known.
   mutable std::vector<std::vector<std::vector<TransitionSet>>> ways;
+  mutable std::vector<std::vector<TransitionSet>> others; ///< the same of elsewhere
   mutable TransitionSet stubborn; ///< a closure, and those of its transitions that were followed
   mutable TransitionSet done;
 };

@@ -18,6 +18,11 @@ inline void insert(TransitionSet& set, TransitionId id) { set[id / 64] |= Word{1
 
 inline void erase(TransitionSet& set, TransitionId id) { set[id / 64] &= ~(Word{1} << (id % 64)); }
 
+/// \pre both sets are of the same system
+inline void add(const TransitionSet& more, TransitionSet& set) {
+  for (std::size_t i = 0; i < set.size(); ++i) set[i] |= more[i];
+}
+
 [[nodiscard]] inline bool isEmpty(const TransitionSet& set) {
   return std::ranges::all_of(set, [](Word bits) { return bits == 0; });
 }
