@@ -102,11 +102,7 @@ Comparison compare(const Script& script, const codegen::Model& model, std::size_
   const Replays replays(script, model.unit);
   verify::Options asked = options;
   for (const auto& [process, _] : model.obliged) asked.obliged.insert(process);
-  for (const std::uint32_t classes : {options.classesBeforeSlices, 0U}) {
-    asked.classesBeforeSlices = classes;
-    if (!comparison.disagreement && !comparison.refusal)
-      compareAnswers(script, model, verdicts, replays, asked, comparison);
-  }
+  compareAnswers(script, model, verdicts, replays, asked, comparison);
   return comparison;
 }
 

@@ -27,11 +27,12 @@ struct Tally {
 
 /// The first of each kind is shown, reduced to a minimum.
 void note(Tally& tally, std::uint64_t seed, const std::string& kind,
-          const std::vector<test::Form>& program, codegen::Edition edition) {
+          const std::vector<test::Form>& program, const verify::Options& options,
+          codegen::Edition edition) {
   if (++tally.disagreements[kind] > 1) return;
   WARN("seed " << seed << ", " << kind);
   UNSCOPED_INFO("seed " << seed << ", " << kind << "\n"
-                        << meaning::smallest(program, kLimit, {}, edition));
+                        << meaning::smallest(program, kLimit, options, edition));
 }
 
 /// Every tenth program has constants in place of its numbers.
@@ -49,15 +50,23 @@ codegen::Edition editionOf(std::uint64_t seed, const test::ProgramSize& size) {
   return isExpanded && size.next == 0 ? codegen::Edition::Expanded : codegen::Edition::Compact;
 }
 
+/// Every other ten programs are decided by slices and refinement, the others all at once.
+verify::Options optionsOf(std::uint64_t seed) {
+  verify::Options options;
+  if (seed / 10 % 2 == 1) options.classesBeforeSlices = 0;
+  return options;
+}
+
 Tally compareAll(std::uint64_t first, std::uint64_t count, const test::ProgramSize& size) {
   Tally tally;
   const auto [begin, end] = test::seedsOr(first, count);
   for (auto seed = begin; seed < end; ++seed) {
     const auto program = programOf(seed, size);
     const auto edition = editionOf(seed, size);
-    const auto comparison = meaning::compare(program, kLimit, {}, edition);
+    const auto options = optionsOf(seed);
+    const auto comparison = meaning::compare(program, kLimit, options, edition);
     if (comparison.refusal) FAIL("seed " << seed << ": " << *comparison.refusal);
-    if (comparison.disagreement) note(tally, seed, comparison.kind, program, edition);
+    if (comparison.disagreement) note(tally, seed, comparison.kind, program, options, edition);
     ++tally.programs;
     tally.tooLarge += comparison.tooLarge ? 1 : 0;
     tally.questions += comparison.questions;

@@ -6,14 +6,17 @@ using namespace proskill;
 
 namespace {
 
-/// The engine's verdicts on the program are those of the interpreter.
+/// The engine's verdicts on the program are those of the interpreter, decided all at once and by
+/// slices.
 void agreeOn(const std::string& program) {
-  const auto comparison = meaning::compare({test::Form(program)}, 20'000);
-  INFO(comparison.refusal.value_or("") << comparison.disagreement.value_or(""));
-  CHECK_FALSE(comparison.refusal);
-  CHECK_FALSE(comparison.disagreement);
-  CHECK_FALSE(comparison.tooLarge);
-  CHECK(comparison.questions > 0);
+  for (const auto& options : {verify::Options{}, verify::Options{.classesBeforeSlices = 0}}) {
+    const auto comparison = meaning::compare({test::Form(program)}, 20'000, options);
+    INFO(comparison.refusal.value_or("") << comparison.disagreement.value_or(""));
+    CHECK_FALSE(comparison.refusal);
+    CHECK_FALSE(comparison.disagreement);
+    CHECK_FALSE(comparison.tooLarge);
+    CHECK(comparison.questions > 0);
+  }
 }
 
 } // namespace
