@@ -1,6 +1,8 @@
 #include "syntax/tree/build.h"
 
 #include "syntax/diagnostics/codes.h"
+#include "syntax/text/characters.h"
+
 #include <algorithm>
 
 namespace proskill::syntax {
@@ -34,6 +36,33 @@ List<Input> inputsOf(Builder& builder, const Node& list) {
   return inputs;
 }
 
+/// A tag from the first words of a condition: `arm_Free` for `(arm Free)`.
+std::string tagFor(std::string_view condition) {
+  constexpr int kWords = 3;
+  std::string tag;
+  int words = 0;
+  for (std::size_t at = 0; at < condition.size() && words < kWords;) {
+    const auto end = std::ranges::find_if_not(condition.substr(at), isWordCharacter);
+    const std::string_view word(condition.begin() + at, end);
+    const bool isKeyword = at > 0 && condition[at - 1] == ':';
+    at += word.size() + 1;
+    if (word.empty() || isKeyword || (tag.empty() && word[0] <= '9')) continue;
+    tag += (tag.empty() ? "" : "_") + std::string(word);
+    ++words;
+  }
+  return tag;
+}
+
+/// \param clause what belongs after the tag
+void reportMissingTag(Builder& builder, const Node& node, std::string_view what,
+                      const std::string& clause) {
+  auto& diagnostic = builder.report(Code::MissingTag, node.range, what);
+  const auto tag = tagFor(builder.textOf(node));
+  if (tag.empty()) return;
+  diagnostic.fixes.push_back(
+      {"put a tag before it", {0, node.range}, fmt::format("{} {}", tag, clause)});
+}
+
 List<Precondition> preconditionsOf(Builder& builder, const Node& list) {
   List<Precondition> preconditions;
   Parts parts(list);
@@ -44,7 +73,7 @@ List<Precondition> preconditionsOf(Builder& builder, const Node& list) {
     if (part->kind != NodeKind::Precondition) {
       precondition.tag.range = {part->range.begin, part->range.begin};
       precondition.condition = expressionOf(builder, *part);
-      builder.report(Code::MissingTag, part->range, "this precondition");
+      reportMissingTag(builder, *part, "this precondition", std::string(builder.textOf(*part)));
     } else {
       Parts pair(*part);
       precondition.tag = builder.nameOf(*pair.take());
@@ -141,6 +170,13 @@ Invariant invariantOf(Builder& builder, const Node& node) {
   return invariant;
 }
 
+/// The clause of an invariant whose text may be only its condition.
+std::string clauseOf(const Builder& builder, const Node& node) {
+  const Node* first = Parts(node).peek();
+  const auto text = builder.textOf(node);
+  return first && isField(*first) ? std::string(text) : fmt::format("(:guard {})", text);
+}
+
 List<Invariant> invariantsOf(Builder& builder, const Node& list) {
   List<Invariant> invariants;
   Parts parts(list);
@@ -148,7 +184,7 @@ List<Invariant> invariantsOf(Builder& builder, const Node& list) {
     if (part->kind == NodeKind::Invariant)
       invariants.push_back(invariantOf(builder, *part));
     else if (part->kind == NodeKind::InvariantClause)
-      builder.report(Code::MissingTag, part->range, "this invariant");
+      reportMissingTag(builder, *part, "this invariant", clauseOf(builder, *part));
     else if (!isDamaged(*part))
       builder.report(Code::MalformedValue, part->range, ":invariant",
                      "tags and clauses, such as `(in_control (:guard (motion Free)))`");
@@ -192,22 +228,59 @@ void reportBareClauses(Builder& builder, const Node& keyword, Parts& items) {
       {"put it in parentheses", {0, range}, fmt::format("({})", builder.textOf(range))});
 }
 
+/// The end of the last part.
+Offset endOf(Parts parts) {
+  Offset end = 0;
+  while (const Node* next = parts.take()) end = next->range.end;
+  return end;
+}
+
+/// An outcome with parentheses around its tag and clauses, such as `(done :effects (arm Free))`.
+/// The fix removes these, and puts the clauses in parentheses of their own.
+void reportWrapped(Builder& builder, const Node& list) {
+  Parts items(list);
+  const Offset end = endOf(items);
+  items.take();
+  const Node* clauses = items.peek();
+  const Offset from = clauses && clauses->kind == NodeKind::Keyword ? clauses->range.begin : end;
+  const bool isClosed = list.range.end > end && builder.textOf(list).ends_with(')');
+  const Range rest{end, list.range.end - (isClosed ? 1 : 0)};
+  const auto plain = fmt::format(fmt::runtime(from < end ? "{}({}){}" : "{}{}{}"),
+                                 builder.textOf({list.range.begin + 1, from}),
+                                 builder.textOf({from, end}), builder.textOf(rest));
+  auto& diagnostic =
+      builder.report(Code::MalformedOutcome, list.range, "there are parentheses around the tag");
+  diagnostic.fixes.push_back({"remove them", {0, list.range}, plain});
+}
+
+bool startsWithOutcome(const Node& node) {
+  const Node* first = Parts(node).peek();
+  return node.kind == NodeKind::OutcomeList && first && first->kind == NodeKind::Outcome;
+}
+
+bool startsWithWrapped(const Node& node) {
+  const Node* first = Parts(node).peek();
+  return node.kind == NodeKind::OutcomeList && first && startsWithOutcome(*first);
+}
+
 List<Outcome> outcomesOf(Builder& builder, Field& field) {
   List<Outcome> outcomes;
   auto read = [&](const Node& node) {
-    if (node.kind == NodeKind::Outcome)
+    if (node.kind == NodeKind::Outcome) {
       outcomes.push_back(outcomeOf(builder, node));
-    else
+    } else if (startsWithOutcome(node)) {
+      reportWrapped(builder, node);
+      outcomes.push_back(outcomeOf(builder, *Parts(node).peek()));
+    } else {
       reportNoOutcome(builder, node);
+    }
   };
   if (!field.values.peek()) {
     auto& keyword = field.use.keyword;
     builder.report(Code::MissingValue, keyword.range, keyword.text, "an outcome, such as `landed`");
   }
   while (const Node* value = field.values.take()) {
-    const Node* first = Parts(*value).peek();
-    bool list = value->kind == NodeKind::OutcomeList && first && first->kind == NodeKind::Outcome;
-    if (!list) {
+    if (!startsWithOutcome(*value) && !startsWithWrapped(*value)) {
       read(*value);
       continue;
     }

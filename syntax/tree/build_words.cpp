@@ -58,9 +58,23 @@ void reportUnknownField(Builder& builder, const Field& field, std::string_view o
           nearest(keyword.text, known));
 }
 
+/// The word of `(word)`, otherwise null.
+static const Node* wordInParentheses(const Builder& builder, const Node& node) {
+  if (!builder.textOf(node).starts_with('(')) return nullptr;
+  Parts parts(node);
+  const Node* word = parts.take();
+  return word && word->kind == NodeKind::Symbol && !parts.peek() ? word : nullptr;
+}
+
 Name takeName(Builder& builder, Parts& parts, const Name& head) {
   const Node* next = parts.peek();
   if (next && isWord(*next)) return builder.nameOf(*parts.take());
+  if (const Node* word = next ? wordInParentheses(builder, *next) : nullptr) {
+    auto& diagnostic = builder.report(Code::MissingName, next->range, head.text);
+    diagnostic.fixes.push_back(
+        {"remove the parentheses", {0, parts.take()->range}, std::string(builder.textOf(*word))});
+    return builder.nameOf(*word);
+  }
   if (!next || !isDamaged(*next)) builder.report(Code::MissingName, head.range, head.text);
   return {{}, {head.range.end, head.range.end}};
 }

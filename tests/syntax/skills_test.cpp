@@ -14,7 +14,42 @@ std::string codes(const std::string& fields) {
   return test::codesOf(syntax::Document::parse("(defskill s " + fields + ")"));
 }
 
+/// The fields with the first fix of each diagnostic, from the last one to the first.
+std::string mended(const std::string& fields) {
+  std::string text = "(defskill s " + fields + ")";
+  const auto document = syntax::Document::parse(text);
+  auto found = document.diagnostics();
+  std::ranges::sort(found, std::greater{}, [](const auto& it) { return it.location.range.begin; });
+  for (const auto& each : found) {
+    REQUIRE(!each.fixes.empty());
+    const auto& [title, location, by] = each.fixes[0];
+    text.replace(location.range.begin, location.range.length(), by);
+  }
+  CHECK(test::codesOf(syntax::Document::parse(text)) == "");
+  return text.substr(12, text.size() - 13);
+}
+
 } // namespace
+
+TEST_CASE("parentheses around an outcome or a name are removed by a fix") {
+  CHECK(mended(":failure ((cold) (hot))") == ":failure (cold hot)");
+  CHECK(mended(":success ((done :effects (a B)))") == ":success (done (:effects (a B)))");
+  CHECK(mended(":success ((done (:effects (a B))) late)") ==
+        ":success (done (:effects (a B)) late)");
+  CHECK(mended(":success ((done ; why\n :effects (a B) ; c\n))") ==
+        ":success (done ; why\n (:effects (a B)) ; c\n)");
+  CHECK(mended(":body ((success (done)))") == ":body ((success done))");
+  Parsed<Skill> wrapped("(defskill s :success ((done :effects (a B)) late))");
+  CHECK(test::codesOf(wrapped.document) == "PS0124");
+  REQUIRE(wrapped->successes.size() == 2);
+  CHECK(wrapped->successes[0].tag.text == "done");
+}
+
+TEST_CASE("a condition without a tag gets one by a fix") {
+  CHECK(mended(":precondition ((a B) (< c 3))") == ":precondition (a_B (a B) c_3 (< c 3))");
+  CHECK(mended(":invariant ((:guard (a B)))") == ":invariant (a_B (:guard (a B)))");
+  CHECK(mended(":invariant ((a B))") == ":invariant (a_B (:guard (a B)))");
+}
 
 TEST_CASE("outcomes in all their forms") {
   Parsed<Skill> bare("(defskill s :success done)");
