@@ -92,6 +92,11 @@ Block takeBlock(Builder& builder, Parts& parts, Offset at);
 void readCase(Builder& builder, Parts& parts, Statement& statement);
 Statement statementOf(Builder& builder, const Node& node);
 
+List<Precondition> preconditionsOf(Builder& builder, const Node& list);
+List<Invariant> invariantsOf(Builder& builder, const Node& list);
+/// The value of `:success` or `:failure`.
+List<Outcome> outcomesOf(Builder& builder, Field& field);
+std::optional<Interrupt> interruptOf(Builder& builder, Field& field);
 void readSkill(Builder& builder, std::vector<Field>& fields, Skill& skill);
 Property propertyOf(Builder& builder, const Node& node);
 
