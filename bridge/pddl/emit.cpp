@@ -132,12 +132,12 @@ private:
     }
     const auto name =
         words.terms.name(fmt::format("action {} {}{}", skill.name(), tag, values), wish + values);
-    actions +=
-        fmt::format("\n  ; skill {} ({}{}{}){}{}\n  (:durative-action {}\n    :parameters ()\n"
-                    "    :duration {}\n    :condition (and{})\n    :effect (and{}))\n",
-                    skill.name(), status, tag.empty() ? "" : " ", tag, isOnly ? " only" : "",
-                    inputs, name, duration(skill.node()), indented(conditions(skill.node()), 6),
-                    indented(effects(skill, outcome), 6));
+    actions += fmt::format(
+        "\n  ; skill {} ({}{}{}){}{}\n  (:durative-action {}\n    :parameters ()\n"
+        "    :duration {}\n    :condition (and{})\n    :effect (and{}))\n",
+        skill.name(), status, tag.empty() ? "" : " ", tag, isOnly ? " only" : "", inputs, name,
+        duration(skill.node()), indented(conditions(skill.node(), outcome), 6),
+        indented(effects(skill, outcome), 6));
   }
 
   static std::string wordOf(const syntax::Expr& value) {
@@ -160,7 +160,7 @@ private:
                                      static_cast<double>(number.denominator));
   }
 
-  std::vector<std::string> conditions(const syntax::Skill& skill) {
+  std::vector<std::string> conditions(const syntax::Skill& skill, const syntax::Outcome* outcome) {
     std::vector<std::string> all{"(at start " + words.idle(skill.name.text) + ")"};
     for (const auto& each : skill.preconditions)
       all.push_back("(at start " + words.terms.condition(each.condition) + ")");
@@ -168,7 +168,26 @@ private:
       all.push_back("(at start (>= " + words.left(each.text) + " 1))");
     for (const auto& each : skill.invariants)
       all.push_back("(over all " + words.terms.condition(each.guard) + ")");
+    for (const auto& effect : skill.start.items)
+      for (const auto& each : words.terms.allowing(effect))
+        all.push_back("(at start " + each + ")");
+    if (outcome) addAllowing(skill, outcome->effects, all);
     return all;
+  }
+
+  /// What allows the effects at the end must hold all the time, since the platform chooses the end.
+  void addAllowing(const syntax::Skill& skill, const syntax::Effects& atEnd,
+                   std::vector<std::string>& to) {
+    for (const auto& effect : atEnd.items) {
+      const bool isSetBefore =
+          std::ranges::any_of(skill.start.items, [&](const syntax::Effect& other) {
+            return other.variable.text == effect.variable.text;
+          });
+      for (const auto& each : words.terms.allowing(effect)) {
+        if (!isSetBefore) to.push_back("(at start " + each + ")");
+        to.push_back("(over all " + each + ")");
+      }
+    }
   }
 
   std::vector<std::string> effects(const analysis::Definition<syntax::Skill>& skill,
@@ -200,7 +219,10 @@ private:
 
   void add(const analysis::Definition<syntax::Event>& event) {
     words.terms.in(event.file);
-    const auto guard = event->guard ? words.terms.condition(*event->guard) : "(and)";
+    std::string guard = event->guard ? words.terms.condition(*event->guard) : "(and)";
+    for (const auto& effect : event->effects.items)
+      for (const auto& each : words.terms.allowing(effect))
+        guard = fmt::format("(and {} {})", guard, each);
     const auto name =
         words.terms.name(fmt::format("event {}", event.name()), std::string(event.name()));
     actions +=

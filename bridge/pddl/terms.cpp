@@ -206,6 +206,37 @@ std::vector<std::string> Terms::effects(const syntax::Effects& list) {
   return all;
 }
 
+/// The variable has the value already, or one from which a transition leads to it.
+void Terms::allowMove(const syntax::StateVariable& variable, const syntax::Expr& value,
+                      std::vector<std::string>& to) {
+  if (variable.transitionsKind != syntax::Transitions::Listed || value.kind != Kind::Symbol) return;
+  std::string before = has(variable.name.text, value.name.text);
+  for (const auto& transition : variable.transitions)
+    if (transition.to.text == value.name.text && transition.from.text != value.name.text)
+      before += " " + has(variable.name.text, transition.from.text);
+  to.push_back("(or " + before + ")");
+}
+
+void Terms::allowNumber(const syntax::StateVariable& variable, const syntax::Expr& value,
+                        std::vector<std::string>& to) {
+  if (value.kind == Kind::Number) return; // the analysis has compared it
+  const auto text = number(value);
+  if (variable.min) to.push_back(fmt::format("(>= {} {})", text, number(*variable.min)));
+  if (variable.max) to.push_back(fmt::format("(<= {} {})", text, number(*variable.max)));
+}
+
+std::vector<std::string> Terms::allowing(const syntax::Effect& effect) {
+  std::vector<std::string> all;
+  const auto* variable = program.stateVariables.find(effect.variable.text);
+  if (!variable) return all;
+  const auto& value = bound(effect.value);
+  if (variable->node().isNatural())
+    allowNumber(variable->node(), value, all);
+  else
+    allowMove(variable->node(), value, all);
+  return all;
+}
+
 std::optional<std::vector<std::string>> Terms::making(const syntax::Expr& expr) {
   if (expr.kind == Kind::And) {
     std::vector<std::string> all;

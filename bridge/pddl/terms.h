@@ -29,6 +29,8 @@ public:
   std::string condition(const syntax::Expr& of);
   /// Effects, one per string; those of an enumeration withdraw its other values.
   std::vector<std::string> effects(const syntax::Effects& all);
+  /// Conditions before an effect that exclude forbidden moves and numbers out of range.
+  std::vector<std::string> allowing(const syntax::Effect& effect);
   /// Effects that make a condition true, as far as it is a conjunction of values.
   /// \return nothing if it is something else
   std::optional<std::vector<std::string>> making(const syntax::Expr& condition);
@@ -36,6 +38,10 @@ public:
   bool usesNumbers = false;
 
 private:
+  void allowMove(const syntax::StateVariable& variable, const syntax::Expr& value,
+                 std::vector<std::string>& to);
+  void allowNumber(const syntax::StateVariable& variable, const syntax::Expr& value,
+                   std::vector<std::string>& to);
   std::vector<std::string> moves(std::string_view variable, std::string_view value);
   std::string joined(const syntax::Expr& expr, const char* word);
   std::string equality(const syntax::Expr& expr);

@@ -248,6 +248,30 @@ TEST_CASE("numbers, resources and failures in PDDL") {
   CHECK(contains(command({"emit", "pddl", "--goal", "(= parts 0)", path}).out, "(= (parts) 1)\n"));
 }
 
+TEST_CASE("in PDDL no effect is a forbidden move or leaves the range of a number") {
+  const TemporaryDirectory directory;
+  const auto path = directory.write(
+      "p.proskill", R"((defsv x :states (A B C) :init A :transitions ((A B) (B C) (C B)))
+(defsv n :init 1 :min 1 :max 3)
+(defevent falls :guard (= n 2) :effects (x C))
+(defskill go :start (x B) :action (go) :success done (:effects ((x C) (n (+ n 1)))))
+(defskill reset :action (reset) :success done (:effects (n 1)))
+)");
+  const auto out = command({"emit", "pddl", path}).out;
+  CHECK(contains(out, R"(
+    :condition (and
+      (at start (go-is-idle))
+      (at start (or (x-is-b) (x-is-a) (x-is-c)))
+      (over all (or (x-is-c) (x-is-b)))
+      (at start (>= (+ (n) 1) 1))
+      (over all (>= (+ (n) 1) 1))
+      (at start (<= (+ (n) 1) 3))
+      (over all (<= (+ (n) 1) 3)))
+)"));
+  CHECK(contains(out, ":precondition (and (= (n) 2) (or (x-is-c) (x-is-b)))"));
+  CHECK(contains(out, "(and\n      (at start (reset-is-idle)))"));
+}
+
 TEST_CASE("PDDL has an action for each value of an input that a skill reads") {
   const TemporaryDirectory directory;
   const auto skill = [](const std::string& most) {

@@ -68,6 +68,17 @@ class Plans(unittest.TestCase):
             self.assertRegex(done.stderr, "its order: go Well, .*, pour, go Dock\n  verified: every run")
             self.assertIn("(go to Well)", done.stdout)
 
+    def test_moves_that_are_allowed(self):
+        """A lift does not skip a floor, and a move waits for the end of the one before."""
+        with tempfile.TemporaryDirectory() as folder:
+            text = """(defsv floor :states (Ground First Second) :init Ground :transitions ((Ground First) (First Second)))
+(defskill ride :input ($to floor) :time_interval [5,20] :action (ride $to) :success there (:effects (floor $to)))
+(defskill climb :time_interval [2,3] :action (climb) :success done (:effects (floor Second)))
+"""
+            done = plan("(floor Second)", changed(text, folder), "--planner", "aries")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertRegex(done.stderr, "^plan 1, .*\n  its order: ride First, .*\n  verified: every run")
+
     def test_an_impossible_goal(self):
         with tempfile.TemporaryDirectory() as folder:
             text = SURVEY.read_text(encoding="utf-8").replace("(area Photographed)", "(area Unknown)")

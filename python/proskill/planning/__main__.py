@@ -35,7 +35,8 @@ def main() -> int:
     try:
         import unified_planning  # noqa: F401
     except ImportError:
-        say("error: planners are not installed: pip install unified-planning up-aries up-tamer")
+        say("error: planners are not installed. In a virtual environment: pip install unified-planning up-aries up-tamer;")
+        say("then run this again in it, or with --python ENVIRONMENT/bin/python")
         return 2
     try:
         loop = Loop(settings_of(arguments))
