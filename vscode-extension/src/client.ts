@@ -1,6 +1,7 @@
 import * as vscode from 'vscode';
 import { CloseAction, ErrorAction, LanguageClient, State, type LanguageClientOptions, type RequestType } from 'vscode-languageclient/node';
 import { findServer, type Server } from './find_server';
+import { LensCommands } from './lens_commands';
 import * as protocol from './protocol';
 import { Restarts } from './restarts';
 import { initializationOptions } from './settings';
@@ -31,6 +32,7 @@ export class Client implements vscode.Disposable {
   private current: LanguageClient | undefined;
   private begun: Promise<void> | undefined;
   private readonly restarts = new Restarts();
+  private readonly lensCommands = new LensCommands();
   /** whether the server was started for a trusted workspace */
   private trusted = false;
 
@@ -119,8 +121,9 @@ export class Client implements vscode.Disposable {
       synchronize: { configurationSection: 'proskill' },
       initializationOptions,
       outputChannel: this.output,
-      // otherwise the server would show the whole explanation in a message
       middleware: {
+        ...this.lensCommands.middleware,
+        // otherwise the server would show the whole explanation in a message
         executeCommand: (command, args, next) => (command === 'proskill.explain' ? this.explaining(String(args[0])) : next(command, args)),
       },
       errorHandler: {
@@ -173,6 +176,7 @@ export class Client implements vscode.Disposable {
 
   dispose(): void {
     void this.stop();
+    this.lensCommands.dispose();
     this.output.dispose();
   }
 

@@ -5,6 +5,7 @@ import { scenarios as editing } from './editing.mjs';
 import { scenarios as first } from './first.mjs';
 import { scenarios as imports } from './imports.mjs';
 import { scenarios as large } from './large.mjs';
+import { scenarios as lenses } from './lenses.mjs';
 import { scenarios as mission } from './mission.mjs';
 import { scenarios as opening } from './opening.mjs';
 import { scenarios as picture } from './picture.mjs';
@@ -17,5 +18,5 @@ import { scenarios as verification } from './verification.mjs';
 import { scenarios as walkthrough } from './walkthrough.mjs';
 
 export const scenarios = {
-  ...trust, ...editing, ...automaton, ...picture, ...verification, ...testing, ...traces, ...opening, ...typing, ...imports, ...large, ...simulation, ...mission, ...first, ...debugging, ...walkthrough,
+  ...trust, ...editing, ...automaton, ...picture, ...verification, ...testing, ...traces, ...opening, ...lenses, ...typing, ...imports, ...large, ...simulation, ...mission, ...first, ...debugging, ...walkthrough,
 };
