@@ -71,6 +71,38 @@ test('a run beside a program shows its last step and the automaton without scrol
   files.remove();
 });
 
+/** Its run ends with a forbidden move. */
+const kForbidden = `(defsv energy :min 0 :max 10 :init 1)
+(defskill use :action (use) :success ok (:effects (energy (- energy 2))))
+(defskill mission :success done :body ((use) (success done)))
+`;
+/** What is added to the end of a run with many steps and a fault of its model. */
+const kMore = ' (a failure that is told in a sentence of its own); 12 steps came too fast to be shown; the first 40000 steps are no longer kept';
+
+for (const width of [380, 520, 900])
+  test(`the end of a run is readable at ${width} pixels`, async () => {
+    const files = workspace();
+    writeFileSync(join(files.path, 'forbidden.proskill'), kForbidden);
+    const running = await run(join(files.path, 'forbidden.proskill'), '--clock', 'simulated');
+    const it = await page({ viewport: { width, height: 830 } });
+    await it.goto(running.url);
+    const bar = it.locator('.run-bar');
+    await bar.getByRole('button', { name: 'Continue', exact: true }).click();
+    await it.locator('.run-bar[data-state="ended"]').waitFor();
+    const words = bar.locator('.run-state .words');
+    assert.equal(await words.textContent(), 'the mission has ended: success; 1 thing should not have happened');
+    for (const more of ['', kMore]) {
+      await words.evaluate((part, text) => part.append(text), more);
+      const [state, text, end] = await Promise.all([bar.locator('.run-state'), words, bar.getByRole('button', { name: 'End', exact: true })].map((part) => part.boundingBox()));
+      assert.ok(text.x >= state.x && text.x + text.width <= state.x + state.width + 1, 'no word is cut off');
+      assert.ok(text.y >= state.y - 1 && text.y + text.height <= state.y + state.height + 1, 'no line is cut off');
+      for (const box of [state, end]) assert.ok(box.x >= 0 && box.x + box.width <= width, `from ${box.x} to ${box.x + box.width}`);
+      await shot(it, `narrow_end_${width}${more && '_long'}`);
+    }
+    running.end();
+    files.remove();
+  });
+
 /** Of each test step that is drawn: its result, and whether all of it is within the list. */
 const results = (frame) => {
   const list = frame.getBoundingClientRect();

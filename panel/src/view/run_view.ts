@@ -164,7 +164,7 @@ export class RunView {
     const { status } = this.running;
     const { state } = status;
     this.bar.dataset['state'] = state;
-    this.state.replaceChildren(h('span', { class: `run-light ${state}` }), prose(this.words()));
+    this.state.replaceChildren(h('span', { class: `run-light ${state}` }), h('span', { class: 'words' }, prose(this.words())));
     const isOver = state === 'ended' ? 'The run has ended' : null;
     const none = isOver ?? this.run.whyNoControl;
     const noPause = none ?? this.run.whyNoPause;
