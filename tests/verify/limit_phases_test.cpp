@@ -82,6 +82,32 @@ TEST_CASE("Whenever the time limit is met, what is decided is right and the rest
   }
 }
 
+TEST_CASE("The time limit is met within a step of many clocks") {
+  constexpr int kClocks = 120;
+  std::string text = "process Step is states a, b from a wait [1,3]; to b from b wait [2,5]; to a\n"
+                     "component main is par * in Step";
+  for (int i = 1; i < kClocks; ++i) text += " || Step";
+  const auto model = fiacre::parse(
+      text + " end\nproperty far is absent (main/1/state b and main/2/state b)\nmain");
+  REQUIRE(model.problems.empty());
+  const auto ask = [&](JumpingClock& clock) {
+    auto options = clock.options();
+    options.limits.classes = 1;
+    options.reductions.clear();
+    const auto result = verify::verify(model.program, model.provenance, {{0}}, options);
+    REQUIRE(result.has_value());
+    return result->answers[0];
+  };
+  JumpingClock never(SIZE_MAX);
+  CHECK(ask(never).reason == "the limit of classes was reached");
+  REQUIRE(never.looks > 2 * kClocks); // for each clock of a zone
+  for (std::size_t when = 1; when < never.looks; when += 1 + never.looks / 17) {
+    JumpingClock clock(when);
+    CHECK(ask(clock).reason == "the time limit was reached");
+    CHECK(clock.looks < when + 12);
+  }
+}
+
 TEST_CASE("A limit that is met before anything is explored leaves all open") {
   const auto model =
       fiacre::parse("process P is states a, b var v: array 20000 of 0..3 from a v[3] := 1; to b\n"

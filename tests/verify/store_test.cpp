@@ -4,6 +4,7 @@
 
 #include <map>
 #include <random>
+#include <stdexcept>
 
 using namespace proskill::verify;
 
@@ -57,6 +58,15 @@ TEST_CASE("A memo calls its function once for each key") {
   for (int round = 0; round < 2; ++round)
     for (std::uint32_t a = 0; a < 100; ++a) CHECK(ask(a, 100 - a) == 100);
   CHECK(calls == 100);
+}
+
+TEST_CASE("Nothing is kept of a computation that ends early") {
+  Memo memo;
+  const Memo::Key key{1, 2, 3, 4};
+  CHECK_THROWS_AS(memo.get(key, []() -> std::uint32_t { throw std::runtime_error("early"); }),
+                  std::runtime_error);
+  CHECK(memo.get(key, [] { return 5U; }) == 5);
+  CHECK(memo.get(key, [] { return 6U; }) == 5);
 }
 
 TEST_CASE("A set of numbers grows as needed") {

@@ -42,8 +42,9 @@ public:
         arrivals(walker, timing, watch),
         ticks(withTicks),
         measured(clock),
-        own(with, withTicks, clock),
+        own(with, withTicks, clock, watch),
         states(of.storedWords) {
+    timing.checkLimits(limits);
     for (const auto& transition : of.transitions) hasErrors = hasErrors || transition.fails;
   }
 

@@ -25,8 +25,9 @@ Bits circlingLocations(const Monitor& monitor) {
 
 } // namespace
 
-MonitorZones::MonitorZones(const Monitor& of, bool withTicks, const MeasuredClock* measured)
-    : monitor(of) {
+MonitorZones::MonitorZones(const Monitor& of, bool withTicks, const MeasuredClock* measured,
+                           LimitWatch& limits)
+    : monitor(of), between([&limits] { limits.checkGrowth(std::uint64_t{0}); }) {
   if (withTicks) circling = circlingLocations(monitor);
   for (const auto& location : monitor.locations)
     for (const auto& edge : location.edges)
@@ -44,13 +45,8 @@ std::uint32_t MonitorZones::count(std::uint32_t location) const {
 
 std::optional<Dbm> MonitorZones::settled(Dbm zone, const Signature& signature,
                                          std::uint32_t location, bool instant) const {
-  const auto limitTime = [&] {
-    for (std::uint32_t i = 0; i < signature.clocks.size(); ++i)
-      if (!zone.constrain(i + 1, 0, signature.invariants[i])) return false;
-    return true;
-  };
   if (!signature.urgent && !instant) zone.up();
-  if (!limitTime()) return std::nullopt;
+  if (!zone.constrainAll(signature.invariants, between)) return std::nullopt;
   auto fromBelow = signature.lower;
   auto fromAbove = signature.upper;
   const auto add = [&](std::int32_t below, std::int32_t above) {
@@ -59,8 +55,8 @@ std::optional<Dbm> MonitorZones::settled(Dbm zone, const Signature& signature,
   };
   if (monitor.locations[location].timed) add(lower, upper);
   if (ticks(location)) add(1, 1);
-  zone.extrapolate(fromBelow, fromAbove);
-  if (!limitTime()) return std::nullopt;
+  zone.extrapolate(fromBelow, fromAbove, between);
+  if (!zone.constrainAll(signature.invariants, between)) return std::nullopt;
   return zone;
 }
 

@@ -33,12 +33,14 @@ class MonitorZones {
 public:
   /// \param withTicks whether divergence of time is detected
   /// \param measured the clock is measured as well
-  MonitorZones(const Monitor& of, bool withTicks, const MeasuredClock* measured = nullptr);
+  /// \param limits checked by operations on many clocks
+  MonitorZones(const Monitor& of, bool withTicks, const MeasuredClock* measured,
+               LimitWatch& limits);
 
   /// The number of clocks of a location itself.
   [[nodiscard]] std::uint32_t count(std::uint32_t location) const;
   /// Lets time pass as far as the state allows, and abstracts the zone. Nothing if the zone is
-  /// empty.
+  /// empty. \throw LimitMet
   [[nodiscard]] std::optional<Dbm> settled(Dbm zone, const Signature& signature,
                                            std::uint32_t location, bool instant) const;
   /// Restricts the monitor's clock by an edge's guard. Returns false if the zone becomes empty.
@@ -56,6 +58,7 @@ private:
   [[nodiscard]] bool ticks(std::uint32_t location) const { return circling.contains(location); }
 
   const Monitor& monitor;
+  Between between;
   Bits circling; ///< locations on a cycle with an accepting one; only these need ticks
   /// The greatest constants to which the monitor's clock is compared from below and from above.
   std::int32_t lower = 0;

@@ -58,7 +58,7 @@ std::optional<Evidence> findStuck(const System& system, const std::vector<Goal>&
   try {
     auto stuck = findStuck(system, reductions, explorer, limits);
     // Extra+LU may put clocks nearer to their upper bounds than they get; maximum bounds do not
-    if (stuck && extrapolation == Extrapolation::LowerUpper && !isReal(system, *stuck))
+    if (stuck && extrapolation == Extrapolation::LowerUpper && !isReal(system, *stuck, limits))
       return findStuckFiner(system, goals, reductions, limits, result);
     return stuck;
   } catch (const LimitMet& limit) {
@@ -69,8 +69,8 @@ std::optional<Evidence> findStuck(const System& system, const std::vector<Goal>&
 
 } // namespace
 
-bool isReal(const System& system, const Evidence& evidence) {
-  auto reached = exactZone(system, evidence.steps);
+bool isReal(const System& system, const Evidence& evidence, LimitWatch& limits) {
+  auto reached = exactZone(system, evidence.steps, limits);
   if (!reached) return false;
   auto& [clocks, last] = *reached;
   return std::ranges::all_of(evidence.clocks, [&](const ClockRange& range) {

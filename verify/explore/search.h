@@ -36,7 +36,7 @@ struct Evidence {
 };
 
 /// Whether a run along the steps ends with the clocks in their ranges.
-[[nodiscard]] bool isReal(const System& system, const Evidence& evidence);
+[[nodiscard]] bool isReal(const System& system, const Evidence& evidence, LimitWatch& limits);
 
 struct SearchResult {
   std::vector<std::optional<Evidence>> goals; ///< by goal; nothing if it was not found

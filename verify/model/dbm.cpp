@@ -28,7 +28,16 @@ Dbm Dbm::over(std::span<const std::uint32_t> from) const {
   return made;
 }
 
-void Dbm::extrapolate(std::span<const std::int32_t> lower, std::span<const std::int32_t> upper) {
+bool Dbm::constrainAll(std::span<const Bound> limits, const Between& between) {
+  for (std::uint32_t k = 0; k < limits.size(); ++k) {
+    if (between && size >= kManyClocks) between();
+    if (!constrain(k + 1, 0, limits[k])) return false;
+  }
+  return true;
+}
+
+void Dbm::extrapolate(std::span<const std::int32_t> lower, std::span<const std::int32_t> upper,
+                      const Between& between) {
   const auto beyond = [&](std::uint32_t i, std::int32_t limit) {
     return i != 0 && (limit < 0 || -constantOf(at(0, i)) > limit);
   };
@@ -44,7 +53,7 @@ void Dbm::extrapolate(std::span<const std::int32_t> lower, std::span<const std::
       entry(i, j) = made;
     }
   }
-  if (changed) close();
+  if (changed) close(between);
 }
 
 void Dbm::startAt(std::uint32_t i) {
@@ -68,8 +77,9 @@ void Dbm::replace(std::uint32_t i, Bound lower, Bound upper) {
   }
 }
 
-bool Dbm::close() {
+bool Dbm::close(const Between& between) {
   for (std::uint32_t k = 0; k < size; ++k) {
+    if (between && size >= kManyClocks) between();
     for (std::uint32_t i = 0; i < size; ++i) {
       const Bound first = at(i, k);
       if (first == kInfinite) continue;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,13 @@ inline constexpr Bound kZero = 1; ///< `<= 0`
   return a + b - ((a | b) & 1);
 }
 [[nodiscard]] constexpr std::int32_t constantOf(Bound b) { return b >> 1; }
+
+/// Called between parts of a long operation; it may throw to end the operation, which leaves the
+/// zone undefined.
+using Between = std::function<void()>;
+
+/// Operations on so many clocks or more take long: those of cubic time, a millisecond.
+inline constexpr std::uint32_t kManyClocks = 100;
 
 /// A zone: the set of values of clocks x1 … xn such that each xi - xj is within entry (i, j); x0 is
 /// 0. Zones are canonical (closed): every bound is as tight as the others imply, so equal zones
@@ -51,7 +59,13 @@ public:
   /// of Behrmann, Bouyer, Larsen and Pelanek, "Lower and upper bounds in zone-based abstractions of
   /// timed automata", STTT 2006. `lower[i]` and `upper[i]` are the greatest constants to which
   /// clock i is compared from below and from above, negative if there are none; index 0 is unused.
-  void extrapolate(std::span<const std::int32_t> lower, std::span<const std::int32_t> upper);
+  /// \param between called where there are many clocks
+  void extrapolate(std::span<const std::int32_t> lower, std::span<const std::int32_t> upper,
+                   const Between& between = {});
+  /// Restricts clock k to at most limits[k - 1], for all clocks. Returns false if the zone becomes
+  /// empty; its content is then undefined.
+  /// \param between called where there are many clocks
+  bool constrainAll(std::span<const Bound> limits, const Between& between = {});
   /// Makes clock `i` the new 0 and keeps all entries: clock i becomes 0 minus the old 0.
   void startAt(std::uint32_t i);
   /// Makes any moment between the old 0 and the first of the clocks the new 0.
@@ -60,7 +74,8 @@ public:
   /// limits xi - 0.
   void replace(std::uint32_t i, Bound lower, Bound upper);
   /// Computes the canonical form (Floyd and Warshall). Returns false if the zone is empty.
-  bool close();
+  /// \param between called where there are many clocks
+  bool close(const Between& between = {});
 
 private:
   [[nodiscard]] Bound& entry(std::uint32_t i, std::uint32_t j) { return entries[i * size + j]; }

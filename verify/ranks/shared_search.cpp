@@ -116,7 +116,7 @@ private:
       }
       // Extra+LU may put clocks nearer to their upper bounds than they get
       const bool isJudge = isDoubtful && ranks.self() == 0;
-      return isJudge && !isReal(prepared.system, evidence) ? kNotReal : "";
+      return isJudge && !isReal(prepared.system, evidence, limits) ? kNotReal : "";
     } catch (const LimitMet& limit) {
       return limit.which;
     }

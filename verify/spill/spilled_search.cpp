@@ -119,7 +119,7 @@ private:
       auto stuck = find(explorer);
       // Extra+LU may put clocks nearer to their upper bounds than they get
       if (stuck && prepared.extrapolation == Extrapolation::LowerUpper &&
-          !isReal(prepared.system, *stuck))
+          !isReal(prepared.system, *stuck, limits))
         return findFiner();
       return stuck;
     } catch (const LimitMet& limit) {

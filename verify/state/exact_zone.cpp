@@ -6,8 +6,9 @@
 namespace proskill::verify {
 
 std::optional<ExactZone> exactZone(const System& system, const std::vector<TransitionId>& steps,
-                                   const Bits& dropped) {
+                                   LimitWatch& limits, const Bits& dropped) {
   Timing timing(system, Extrapolation::Least);
+  timing.checkLimits(limits);
   const Enabling enabling(system, dropped);
   StepLog log;
   std::vector<Word> state = initialState(system);

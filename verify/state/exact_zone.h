@@ -16,7 +16,9 @@ struct ExactZone {
 /// Computes the zones along steps from the initial state, extrapolated only as far as that is
 /// exact. Nothing if the steps are not possible.
 /// \param dropped transitions that are skipped
-[[nodiscard]] std::optional<ExactZone>
-exactZone(const System& system, const std::vector<TransitionId>& steps, const Bits& dropped = {});
+/// \throw LimitMet
+[[nodiscard]] std::optional<ExactZone> exactZone(const System& system,
+                                                 const std::vector<TransitionId>& steps,
+                                                 LimitWatch& limits, const Bits& dropped = {});
 
 } // namespace proskill::verify

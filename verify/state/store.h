@@ -154,19 +154,17 @@ public:
     std::uint32_t d = 0;
     friend bool operator==(const Key&, const Key&) = default;
   };
-  /// The value for `key`; computed by `make` on the first call.
+  /// The value for `key`; computed by `make` on the first call. Nothing is kept if `make` throws.
   template <class Make> std::uint32_t get(const Key& key, Make make) {
     std::uint64_t hash =
         mix(mix(0, std::uint64_t{key.a} << 32 | key.b), std::uint64_t{key.c} << 32 | key.d);
-    auto next = static_cast<std::uint32_t>(keys.size());
-    auto at = table.findOrAdd(hash, next, [&](std::uint32_t i) { return keys[i] == key; });
-    if (at == next) {
-      keys.push_back(key);
-      values.push_back(kNone);
-      const std::uint32_t made = make();
-      values[at] = made;
-    }
-    return values[at];
+    const auto isSame = [&](std::uint32_t i) { return keys[i] == key; };
+    if (const auto at = table.find(hash, isSame); at != kNone) return values[at];
+    const std::uint32_t made = make();
+    table.findOrAdd(hash, static_cast<std::uint32_t>(keys.size()), isSame);
+    keys.push_back(key);
+    values.push_back(made);
+    return made;
   }
   [[nodiscard]] std::uint64_t bytes() const {
     return table.bytes() + keys.capacity() * sizeof(Key) +

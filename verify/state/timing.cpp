@@ -111,15 +111,10 @@ SignatureId Timing::adopt(const Timing& from, SignatureId id) {
 }
 
 ZoneId Timing::settle(Dbm zone, const Signature& signature) {
-  const auto limitTime = [&] {
-    for (std::uint32_t i = 0; i < signature.clocks.size(); ++i)
-      if (!zone.constrain(i + 1, 0, signature.invariants[i])) return false;
-    return true;
-  };
   if (!signature.urgent) zone.up();
-  if (!limitTime()) return kNone;
-  zone.extrapolate(signature.lower, signature.upper);
-  if (!limitTime()) return kNone;
+  if (!zone.constrainAll(signature.invariants, between)) return kNone;
+  zone.extrapolate(signature.lower, signature.upper, between);
+  if (!zone.constrainAll(signature.invariants, between)) return kNone;
   return store.add(zone);
 }
 

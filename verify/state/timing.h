@@ -1,5 +1,6 @@
 #pragma once
 
+#include "verify/limits.h"
 #include "verify/model/dbm.h"
 #include "verify/model/system.h"
 #include "verify/state/store.h"
@@ -32,14 +33,18 @@ class Timing {
 public:
   Timing(const System& of, Extrapolation how) : system(of), extrapolation(how) {}
 
+  /// From now on, operations on many clocks check these limits, which must live as long.
+  void checkLimits(LimitWatch& limits) {
+    between = [&limits] { limits.checkGrowth(std::uint64_t{0}); };
+  }
   /// \param clocked the transitions with clocks; only these are read from `enabled`
   [[nodiscard]] SignatureId signature(bool urgent, const TransitionSet& enabled,
                                       const TransitionSet& clocked);
   [[nodiscard]] const Signature& at(SignatureId id) const { return signatures[id]; }
-  /// The initial zone: all clocks are 0, then time passes.
+  /// The initial zone: all clocks are 0, then time passes. \throw LimitMet
   [[nodiscard]] ZoneId initial(SignatureId signature);
   /// The successor of a zone of `before` by `transition`, as a zone of `after`; kNone if timing
-  /// forbids the transition.
+  /// forbids the transition. \throw LimitMet
   [[nodiscard]] ZoneId after(ZoneId zone, SignatureId before, TransitionId transition,
                              SignatureId after);
   /// Whether the transition can fire from some point of the zone. \pre the discrete state enables
@@ -82,6 +87,7 @@ private:
   NumberTable table;
   ZoneStore store;
   Memo memo;
+  Between between;
   std::vector<std::uint32_t> carried; ///< of a zone that is calculated: see kept()
 };
 
