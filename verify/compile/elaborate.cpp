@@ -218,6 +218,7 @@ private:
     std::vector<const Type*> scalars;
     std::vector<std::string> names;
     const std::size_t count = value.parts.size();
+    types.checkGrowth(count * (sizeof(const Type*) + sizeof(std::string) + sizeof(Cell)));
     scalars.reserve(count);
     names.reserve(count);
     if (count > system.cells.size()) system.cells.reserve(system.cells.size() + count);

@@ -186,6 +186,31 @@ Value Expressions::fitted(Value value, const Type& type, const std::string& what
   return value;
 }
 
+void Expressions::checkLimits() const {
+  constexpr std::size_t kNodesOfElement = 16;
+  types.checkLimits();
+  types.checkGrowth(system.nodes, kNodesOfElement);
+}
+
+/// Few elements are compared one by one, which other passes read well. Many are halved, so that no
+/// expression is deep.
+Value Expressions::elementAt(NodeId at, const Elements& elements, std::int64_t low,
+                             std::int64_t high) {
+  constexpr std::int64_t kFew = 64;
+  if (high - low >= kFew) {
+    const std::int64_t middle = low + (high - low) / 2;
+    const NodeId isBelow = maker.binary(NodeOp::LessEqual, at, maker.number(middle));
+    const Value below = elementAt(at, elements, low, middle);
+    return choose(isBelow, below, elementAt(at, elements, middle + 1, high));
+  }
+  Value chosen = elements(high);
+  for (std::int64_t i = high - 1; i >= low; --i) {
+    checkLimits();
+    chosen = choose(maker.equal(at, maker.number(i)), elements(i), chosen);
+  }
+  return chosen;
+}
+
 Value Expressions::index(const Expr& expr, const Scope& scope) {
   Value array = value(expr.operands.at(0), scope);
   if (array.type->kind != TypeKind::Array) unsupported("the indexed value is not an array");
@@ -198,9 +223,7 @@ Value Expressions::index(const Expr& expr, const Scope& scope) {
   };
   if (auto constant = maker.constant(at)) return slice(*constant);
   auto bounds = valueBounds(system, at);
-  Value chosen = slice(bounds.high);
-  for (std::int64_t i = bounds.high - 1; i >= bounds.low; --i)
-    chosen = choose(maker.equal(at, maker.number(i)), slice(i), chosen);
+  Value chosen = elementAt(at, slice, bounds.low, bounds.high);
   if (bounds.low == bounds.high && mayFail(at)) // no conditional has checked it
     for (auto& part : chosen.parts)
       part = maker.require(maker.equal(at, maker.number(bounds.high)), part, system.nodes[at].c);
@@ -259,6 +282,7 @@ Value Expressions::lowest(const Type& type) {
   std::vector<const Type*> scalarTypes;
   types.flatten(type, scalarTypes);
   for (const auto* part : scalarTypes) {
+    types.checkGrowth(made.parts, 1);
     auto bounds = types.bounds(*part);
     made.parts.push_back(maker.number(std::clamp<std::int64_t>(0, bounds.low, bounds.high)));
   }
@@ -289,9 +313,12 @@ Expressions::Target Expressions::target(const Expr& lvalue, const Scope& scope) 
   Target part{&types.resolve(whole.type->element.at(0)), whole.root, {}};
   const std::size_t size = types.scalars(*part.type);
   for (const auto& [condition, offset] : whole.offsets)
-    for (std::int64_t i = bounds.low; i <= bounds.high; ++i)
+    for (std::int64_t i = bounds.low; i <= bounds.high; ++i) {
+      checkLimits();
+      types.checkGrowth(part.offsets, 1);
       part.offsets.emplace_back(maker.both(condition, maker.equal(at, maker.number(i))),
                                 offset + size * static_cast<std::size_t>(i));
+    }
   return part;
 }
 
@@ -300,28 +327,32 @@ void Expressions::assign(const Expr& lvalue, const Value& source, const Scope& s
   Target place = target(lvalue, scope);
   const std::size_t size = types.scalars(*place.type);
   if (source.parts.size() != size) unsupported("a value of another type is assigned");
+  Earlier earlier;
+  for (std::size_t i = first; i < assignments.size(); ++i)
+    earlier.emplace(assignments[i].target, i);
   for (const auto& [condition, offset] : place.offsets)
     for (std::size_t i = 0; i < size; ++i) {
+      checkLimits();
+      types.checkGrowth(assignments, 1);
       const NodeId old = place.root->parts.at(offset + i);
       if (system.nodes[old].op != NodeOp::Cell)
         unsupported("the target of the assignment is not a variable");
-      write(system.nodes[old].a, old, condition, source.parts[i], assignments, first);
+      write(system.nodes[old].a, old, condition, source.parts[i], assignments, earlier);
     }
 }
 
 /// Writes a cell if a condition is true. `a[i], a[j] := x, y` may write a cell twice; the last true
 /// one wins.
 void Expressions::write(CellId cell, NodeId old, NodeId condition, NodeId source,
-                        std::vector<Assignment>& assignments, std::size_t first) {
-  const auto begin = assignments.begin() + static_cast<std::ptrdiff_t>(first);
-  const auto before = std::find_if(begin, assignments.end(),
-                                   [&](const auto& other) { return other.target == cell; });
-  const bool again = before != assignments.end();
-  const NodeId made = maker.conditional(condition, source, again ? before->value : old);
+                        std::vector<Assignment>& assignments, const Earlier& earlier) {
+  const auto before = earlier.find(cell);
+  const bool again = before != earlier.end();
+  const NodeId made =
+      maker.conditional(condition, source, again ? assignments[before->second].value : old);
   const auto bounds = valueBounds(system, made);
   const bool fits = system.cells[cell].low <= bounds.low && bounds.high <= system.cells[cell].high;
   if (again)
-    *before = {cell, made, !fits};
+    assignments[before->second] = {cell, made, !fits};
   else
     assignments.push_back({cell, made, !fits});
 }

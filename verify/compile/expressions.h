@@ -5,8 +5,10 @@
 #include "verify/model/value_bounds.h"
 
 #include <deque>
+#include <functional>
 #include <map>
 #include <string>
+#include <unordered_map>
 
 namespace proskill::verify {
 
@@ -90,18 +92,25 @@ private:
   Value choose(NodeId condition, const Value& then, const Value& otherwise);
   void assignInFunction(const fiacre::Statement& statement, Scope& scope);
   bool isBareConstructor(const fiacre::Expr& expr, const Scope& scope) const;
+  /// Call this for each element of an array. \throw LimitMet
+  void checkLimits() const;
+  /// The element at an index between these two.
+  using Elements = std::function<Value(std::int64_t)>;
+  Value elementAt(NodeId at, const Elements& elements, std::int64_t low, std::int64_t high);
   /// The index as a node that causes a fault if it is outside the array.
   NodeId indexNode(const fiacre::Expr& indexed, const Scope& scope, std::int64_t size);
   /// The positions in the root variable's parts that an lvalue may refer to, each with its
-  /// condition.
+  /// condition. No position occurs twice.
   struct Target {
     const fiacre::Type* type = nullptr;
     const Value* root = nullptr;
     std::vector<std::pair<NodeId, std::size_t>> offsets;
   };
   Target target(const fiacre::Expr& lvalue, const Scope& scope);
+  /// Where a cell is written by assignments before those of the same target.
+  using Earlier = std::unordered_map<CellId, std::size_t>;
   void write(CellId cell, NodeId old, NodeId condition, NodeId source,
-             std::vector<Assignment>& assignments, std::size_t first);
+             std::vector<Assignment>& assignments, const Earlier& earlier);
 
   const fiacre::Program& program;
   const Types& types;

@@ -32,6 +32,7 @@ std::size_t Types::scalars(const Type& type) const {
 
 void Types::flatten(const Type& named, std::vector<const Type*>& all) const {
   checkLimits();
+  checkGrowth(all, 1);
   const Type& type = resolve(named);
   switch (type.kind) {
   case TypeKind::Record:

@@ -23,6 +23,15 @@ public:
     if (limits) limits->check();
   }
 
+  /// Call this before adding to a vector that may be large. \throw LimitMet
+  template <class T> void checkGrowth(const std::vector<T>& all, std::size_t more) const {
+    if (limits) limits->checkGrowth(all, more);
+  }
+  /// Call this before allocating so many bytes at once. \throw LimitMet
+  void checkGrowth(std::uint64_t bytes) const {
+    if (limits) limits->checkGrowth(bytes);
+  }
+
   /// The type that a type name stands for; any other type itself.
   [[nodiscard]] const fiacre::Type& resolve(const fiacre::Type& type) const;
   /// The number of scalars of a value. A queue consists of its length and its elements, the first

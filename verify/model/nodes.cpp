@@ -203,14 +203,27 @@ template <class Visit> void eachNode(const System& system, NodeId id, Visit& vis
   }
 }
 
+/// Calls `visit` with each cell that a node reads, perhaps several times.
+template <class Visit> void eachRead(const System& system, NodeId id, const Visit& visit) {
+  auto visitNode = [&](const Node& node) {
+    if (node.op == NodeOp::Cell || node.op == NodeOp::Test)
+      visit(node.op == NodeOp::Cell ? node.a : node.b);
+  };
+  eachNode(system, id, visitNode);
+}
+
 } // namespace
 
 void addReads(const System& system, NodeId id, Bits& cells) {
-  auto visit = [&](const Node& node) {
-    if (node.op == NodeOp::Cell || node.op == NodeOp::Test)
-      cells.insert(node.op == NodeOp::Cell ? node.a : node.b);
-  };
-  eachNode(system, id, visit);
+  eachRead(system, id, [&](CellId cell) { cells.insert(cell); });
+}
+
+std::vector<CellId> readsOf(const System& system, NodeId id) {
+  std::vector<CellId> cells;
+  eachRead(system, id, [&](CellId cell) { cells.push_back(cell); });
+  std::ranges::sort(cells);
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  return cells;
 }
 
 void addEvents(const System& system, NodeId id, Bits& events) {

@@ -51,6 +51,8 @@ private:
 
 /// Adds the cells that a node reads.
 void addReads(const System& system, NodeId node, Bits& cells);
+/// The cells that a node reads, ascending.
+[[nodiscard]] std::vector<CellId> readsOf(const System& system, NodeId node);
 /// Adds the events that a node watches.
 void addEvents(const System& system, NodeId node, Bits& events);
 /// The parts of a node that depend on what happens in a step: events, and changes of conditions.

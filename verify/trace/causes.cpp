@@ -15,10 +15,12 @@ namespace {
 /// What a step reads of the state before it, and what it writes.
 class StepReads : public StepListener {
 public:
-  explicit StepReads(const Footprints& with) : footprints(with) {}
+  StepReads(const Footprints& with, LimitWatch& watch) : footprints(with), limits(watch) {}
 
   void beginApart() override { own = {}; }
+  /// \throw LimitMet
   void evaluates(NodeId node, const Word* state, CellId target) override {
+    limits.check();
     const auto needs =
         target == kNone ? footprints.of(node, state) : footprints.ofAssigned(node, state, target);
     for (auto cell : needs.before)
@@ -34,6 +36,7 @@ public:
 
 private:
   const Footprints& footprints;
+  LimitWatch& limits;
   Bits own; ///< written by the current part: its value is the step's own
 };
 
@@ -96,7 +99,7 @@ private:
     before = state;
     needBefore(i, transition);
     if (firstTime) wait(i, transition);
-    StepReads reads(footprints);
+    StepReads reads(footprints, limits);
     log.clear();
     const auto outcome = fire(system, id, state.data(), log, reads);
     reads.read.each([&](CellId cell) { depend(causes[i], cell); });

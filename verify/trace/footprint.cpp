@@ -72,7 +72,7 @@ Footprints::Found Footprints::walk(NodeId id, const Moment& moment) const {
   case NodeOp::Entered:
   case NodeOp::Left: {
     if (!moment.after) return {};
-    return {holdsAt(system, id, moment), {readBy(node.a), readBy(node.a), false}};
+    return {holdsAt(system, id, moment), {readsOf(system, node.a), readsOf(system, node.a), false}};
   }
   case NodeOp::Negate:
   case NodeOp::Equal:
@@ -103,7 +103,7 @@ Footprints::Found Footprints::either(const Node& node, const Moment& moment, boo
 /// Everything that it reads: both operands, and what determines whether it fails.
 Footprints::Found Footprints::strict(NodeId id, const Moment& moment) const {
   FaultId fault = kNoFault;
-  return {evaluate(system, id, moment.before, fault), {readBy(id), {}, false}};
+  return {evaluate(system, id, moment.before, fault), {readsOf(system, id), {}, false}};
 }
 
 std::size_t Footprints::cost(const Needs& needs) const {
@@ -111,14 +111,6 @@ std::size_t Footprints::cost(const Needs& needs) const {
   return static_cast<std::size_t>(std::ranges::count_if(needs.before, changed) +
                                   std::ranges::count_if(needs.after, changed)) +
          (needs.event ? 1 : 0);
-}
-
-std::vector<CellId> Footprints::readBy(NodeId node) const {
-  Bits cells;
-  addReads(system, node, cells);
-  std::vector<CellId> all;
-  cells.each([&](CellId cell) { all.push_back(cell); });
-  return all;
 }
 
 } // namespace proskill::verify

@@ -43,7 +43,6 @@ private:
   [[nodiscard]] Found either(const Node& node, const Moment& moment, bool decisive) const;
   [[nodiscard]] Found strict(NodeId node, const Moment& moment) const;
   [[nodiscard]] std::size_t cost(const Needs& needs) const;
-  [[nodiscard]] std::vector<CellId> readBy(NodeId node) const;
 
   const System& system;
   const std::vector<std::size_t>& writers;
