@@ -45,20 +45,36 @@ std::optional<std::int64_t> calculate(NodeOp op, std::int64_t a, std::int64_t b)
   std::unreachable();
 }
 
+/// The other members follow from these.
+bool isSame(const Node& one, const Node& other) {
+  return one.op == other.op && one.a == other.a && one.b == other.b && one.c == other.c &&
+         one.number == other.number;
+}
+
+std::uint64_t hashOf(const Node& node) {
+  auto hash = mix(0, static_cast<std::uint64_t>(node.op) << 32 | node.a);
+  hash = mix(hash, std::uint64_t{node.b} << 32 | node.c);
+  hash = mix(hash, static_cast<std::uint64_t>(node.number));
+  return mix(hash, hash >> 32);
+}
+
 } // namespace
 
-Nodes::Nodes(System& of) : system(of) {
+Nodes::Nodes(System& of, const std::function<void()>& check) : system(of) {
+  constexpr NodeId kBetweenChecks = 64;
   for (NodeId i = 0; i < system.nodes.size(); ++i) {
-    const Node& node = system.nodes[i];
-    known.emplace(std::tuple{node.op, node.a, node.b, node.c, node.number}, i);
+    if (check && i % kBetweenChecks == 0) check();
+    known.findOrAdd(hashOf(system.nodes[i]), i,
+                    [&](NodeId other) { return isSame(system.nodes[other], system.nodes[i]); });
   }
 }
 
 NodeId Nodes::make(Node node) {
-  auto [entry, added] = known.try_emplace({node.op, node.a, node.b, node.c, node.number},
-                                          static_cast<NodeId>(system.nodes.size()));
-  if (added) system.nodes.push_back(node);
-  return entry->second;
+  const auto next = static_cast<NodeId>(system.nodes.size());
+  const auto found = known.findOrAdd(
+      hashOf(node), next, [&](NodeId other) { return isSame(system.nodes[other], node); });
+  if (found == next) system.nodes.push_back(node);
+  return found;
 }
 
 NodeId Nodes::number(std::int64_t value) { return make({.op = NodeOp::Number, .number = value}); }

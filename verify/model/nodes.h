@@ -1,19 +1,19 @@
 #pragma once
 
+#include "verify/model/number_table.h"
 #include "verify/model/system.h"
 
 #include <functional>
-#include <map>
 #include <optional>
 #include <set>
-#include <tuple>
 
 namespace proskill::verify {
 
 /// Builds expressions. Equal expressions share one node; constants are folded.
 class Nodes {
 public:
-  explicit Nodes(System& of);
+  /// \param check called now and then while the system's nodes are read; it may throw
+  explicit Nodes(System& of, const std::function<void()>& check = {});
 
   NodeId number(std::int64_t value);
   NodeId cell(CellId cell);
@@ -45,8 +45,7 @@ private:
   [[nodiscard]] std::optional<NodeId> folded(NodeOp op, NodeId a, NodeId b);
 
   System& system;
-  std::map<std::tuple<NodeOp, std::uint32_t, std::uint32_t, std::uint32_t, std::int64_t>, NodeId>
-      known;
+  NumberTable known;
 };
 
 /// Adds the cells that a node reads.

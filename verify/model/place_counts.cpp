@@ -255,9 +255,11 @@ NodeId sumWithin(CellId cell, const Cell& range, std::int64_t adds, Nodes& nodes
 } // namespace
 
 void dropNeedlessChecks(System& system, const std::function<void()>& check) {
+  const auto checked = checkedCells(system);
+  if (checked.empty()) return;
   std::set<PathId> changed;
-  Nodes nodes(system);
-  checkedCells(system).each([&](CellId cell) {
+  Nodes nodes(system, check);
+  checked.each([&](CellId cell) {
     for (const auto& [path, index, adds] : PlaceCount(system, cell, check).harmless()) {
       auto& assignment = system.paths[path].assignments[index];
       assignment.value = sumWithin(cell, system.cells[cell], adds, nodes);

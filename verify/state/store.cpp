@@ -5,17 +5,6 @@
 
 namespace proskill::verify {
 
-void NumberTable::grow() {
-  const std::vector<Slot> old = std::exchange(slots, std::vector<Slot>(slots.size() * 2));
-  for (const auto& slot : old) {
-    if (slot.number == kNone) continue;
-    std::size_t at = placeOf(slot.tag);
-    while (slots[at].number != kNone)
-      if (++at == slots.size()) at = 0;
-    slots[at] = slot;
-  }
-}
-
 std::uint64_t StateStore::hashOf(const Word* state) const {
   std::uint64_t hash = 0;
   for (std::uint32_t i = 0; i < words; ++i) hash = mix(hash, state[i]);
