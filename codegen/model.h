@@ -177,6 +177,7 @@ struct GenerationError {
 platformInterface(const analysis::Program& program, const Options& options = {});
 
 /// The model of a program. \pre the program has no errors
+/// \throw analysis::Stopped if it is cancelled
 [[nodiscard]] std::expected<Model, GenerationError> generate(const analysis::Program& program,
                                                              const Options& options = {});
 

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cmath>
 #include <map>
 #include <thread>
@@ -23,6 +24,8 @@
 namespace proskill::worker {
 
 namespace {
+
+using Clock = std::chrono::steady_clock;
 
 enum ExitCode { kDone = 0, kNoJob = 2, kAlone = 3 };
 
@@ -152,9 +155,11 @@ void sayProgress(const verify::Progress& now) {
          {"seconds", now.seconds}}}});
 }
 
-verify::Options engineOptions(const Budget& budget) {
+/// The time limit includes the reading of the program.
+verify::Options engineOptions(const Budget& budget, Clock::time_point begun) {
   verify::Options options;
-  options.limits.seconds = budget.seconds;
+  const std::chrono::duration<double> passed = Clock::now() - begun;
+  options.limits.seconds = std::max(0.0, budget.seconds - passed.count());
   options.limits.bytes = budget.megabytes * kMegabyte;
   options.limits.classes = budget.classes;
   options.progress = sayProgress;
@@ -235,9 +240,10 @@ private:
 };
 
 /// Measures durations. The report has nothing else.
-void measure(const codegen::Model& model, const WorkerJob& job, const std::string& directory) {
+void measure(const codegen::Model& model, const WorkerJob& job, const std::string& directory,
+             Clock::time_point begun) {
   const auto questions = ide::askForDurations(model);
-  auto options = engineOptions(job.budget);
+  auto options = engineOptions(job.budget, begun);
   options.progress = {};
   const auto known = cache::cacheFor(directory, questions.model);
   options.answers = known.get();
@@ -247,14 +253,15 @@ void measure(const codegen::Model& model, const WorkerJob& job, const std::strin
 }
 
 void work(const WorkerJob& job, const std::string& directory) {
+  const auto begun = Clock::now();
   const auto subject = verifiableOf(job);
   if (!subject) return sayError(subject.error());
   const auto& model = subject->model;
-  if (job.durations) return measure(model, job, directory);
+  if (job.durations) return measure(model, job, directory, begun);
   if (const auto* name = unknownName(model, job.names))
     return sayError(fmt::format("no property is called `{}`", *name));
   Handover handover(*subject, job.names);
-  auto options = engineOptions(job.budget);
+  auto options = engineOptions(job.budget, begun);
   const auto known = cache::cacheFor(directory, model);
   options.answers = known.get();
   auto result = ide::verifyModel(

@@ -1,5 +1,6 @@
 #include "codegen/process/component.h"
 
+#include "analysis/program/stop.h"
 #include "codegen/plan/mentions.h"
 #include "codegen/process/basic_skill.h"
 #include "codegen/process/body_process.h"
@@ -71,6 +72,7 @@ private:
       if (!hasEnvironmentProcess() || comesByItself(context, event.node())) wait(others.back());
     }
     for (const auto& skill : context.plan.skills) {
+      analysis::stopIfAsked();
       const WrittenIn scope(context, skill);
       if (!skill.body)
         others.push_back(basicSkill(context, skill));

@@ -1,5 +1,6 @@
 #include "codegen/property/checks.h"
 
+#include "analysis/program/stop.h"
 #include "codegen/plan/flow.h"
 #include "codegen/process/body_process.h"
 #include "codegen/property/outside_help.h"
@@ -271,6 +272,7 @@ private:
   }
 
   void put(Check check, fiacre::Pattern pattern) {
+    analysis::stopIfAsked();
     check.subject = subject;
     check.origin = place;
     check.property = model.fiacre.properties.size();

@@ -27,9 +27,10 @@ public:
   template <class T> void checkGrowth(const std::vector<T>& all, std::size_t more) const {
     if (limits) limits->checkGrowth(all, more);
   }
-  /// Call this before allocating so many bytes at once. \throw LimitMet
+  /// Call this before allocating so many bytes at once, which may be many. \throw LimitMet
   void checkGrowth(std::uint64_t bytes) const {
-    if (limits) limits->checkGrowth(bytes);
+    constexpr std::uint64_t kLarge = 1 << 20;
+    if (limits && bytes >= kLarge) limits->checkGrowth(bytes);
   }
 
   /// The type that a type name stands for; any other type itself.
