@@ -11,6 +11,7 @@ namespace proskill::verify {
 void Expansion::clear() {
   successors.clear();
   words.clear();
+  steps.clear();
   notices.clear();
   transitions = 0;
   failure.clear();
@@ -199,7 +200,10 @@ void Expander::runAlone() {
 }
 
 void Expander::add(TransitionId transition, std::uint32_t choice) {
-  made->successors.push_back({made->words.size(), work.signature, work.zone, transition, choice});
+  const auto firstStep = made->steps.size();
+  if (made->keepsSteps) append(made->steps, passed);
+  made->successors.push_back({made->words.size(), firstStep, made->steps.size(), work.signature,
+                              work.zone, transition, choice});
   made->words.insert(made->words.end(), work.state.begin(), work.state.end());
 }
 

@@ -10,6 +10,8 @@ namespace proskill::verify {
 /// A state and zone that a step leads to, with the steps that are fired alone after it.
 struct Successor {
   std::size_t state = 0; ///< index of its first word in Expansion::words
+  std::size_t steps = 0; ///< index of the first step to it in Expansion::steps
+  std::size_t stepsEnd = 0;
   SignatureId signature = 0;
   ZoneId zone = 0;
   TransitionId transition = kNone;
@@ -35,6 +37,8 @@ struct Notice {
 struct Expansion {
   std::vector<Successor> successors;
   std::vector<Word> words; ///< of the successors, as they are stored
+  bool keepsSteps = false; ///< whether all steps to the successors are kept
+  Steps steps;
   std::vector<Notice> notices;
   std::uint64_t transitions = 0; ///< number of steps from the node
   std::string failure;           ///< an error of the model

@@ -25,6 +25,7 @@ Explorer::Explorer(const System& of, const std::vector<Goal>& asked, const Reduc
       stored(of.storedWords),
       pathSteps(of, with, walker, expander) {
   result.goals.resize(asked.size());
+  work.keepsSteps = guide.plan != nullptr;
   open = static_cast<std::size_t>(std::ranges::count_if(asked, [](const Goal& goal) {
     return goal.kind != GoalKind::Unsupported && goal.kind != GoalKind::Run;
   }));
@@ -130,10 +131,12 @@ void Explorer::store(const Expansion& expansion) {
     return;
   }
   for (const auto& successor : expansion.successors)
-    add(successor, expansion.words.data() + successor.state);
+    add(successor, expansion.words.data() + successor.state,
+        std::span(expansion.steps).subspan(successor.steps, successor.stepsEnd - successor.steps));
 }
 
-void Explorer::add(const Successor& successor, const Word* words) {
+void Explorer::add(const Successor& successor, const Word* words,
+                   std::span<const TransitionId> steps) {
   StateId state = successor.known;
   bool isNew = false;
   if (state == kNone) {
@@ -147,7 +150,7 @@ void Explorer::add(const Successor& successor, const Word* words) {
       graph.covers(state, graph.timing.zones().matrix(successor.zone), reductions.inclusion))
     return;
   graph.addNode(state, successor.zone, successor.transition, reductions.inclusion);
-  frontier.add(words, successor.transition);
+  frontier.add(words, successor.transition, steps);
 }
 
 void Explorer::found(const Notice& notice) {

@@ -7,6 +7,7 @@
 #include "verify/verify.h"
 
 #include <functional>
+#include <span>
 #include <unordered_map>
 
 namespace proskill::verify {
@@ -84,7 +85,7 @@ private:
   void expand(NodeIndex node);
   [[nodiscard]] bool isForThreads(NodeIndex node);
   void store(const Expansion& expansion);
-  void add(const Successor& successor, const Word* words);
+  void add(const Successor& successor, const Word* words, std::span<const TransitionId> steps);
   void found(const Notice& notice);
   [[nodiscard]] bool isToStop();
   [[nodiscard]] bool allDecided() const { return open == 0 && !goals.goals.empty(); }

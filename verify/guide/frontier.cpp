@@ -2,15 +2,29 @@
 
 namespace proskill::verify {
 
-void Frontier::add(const Word* state, TransitionId lastStep) {
+void Frontier::add(const Word* state, TransitionId lastStep, std::span<const TransitionId> steps) {
   const Node node = added++;
   if (walks) walks->add(node);
   if (!distance && !novelty) return;
   isTaken.push_back(false);
-  if (distance)
+  if (plan)
+    addByPlan(state, steps, node);
+  else if (distance)
     addByDistance(state, lastStep, node);
   else
     newest.push({novelty->seePair(state), 0, {0, node}});
+}
+
+void Frontier::addByPlan(const Word* state, std::span<const TransitionId> steps, Node node) {
+  const auto left = plan->add(steps);
+  furthest.push({left, novelty->seeValue(state, left), {UINT32_MAX - node, node}});
+  newest.push({novelty->seePair(state), left, {node, node}});
+}
+
+Frontier::Node Frontier::takeByPlan() {
+  const auto node = (turns++ % 8 < 7 ? takeFrom(furthest) : takeFrom(newest)).value();
+  plan->expand(node);
+  return node;
 }
 
 void Frontier::addByDistance(const Word* state, TransitionId lastStep, Node node) {
@@ -23,6 +37,7 @@ void Frontier::addByDistance(const Word* state, TransitionId lastStep, Node node
 Frontier::Node Frontier::take() {
   const Node inOrder = taken++;
   if (walks) return walks->take();
+  if (plan) return takeByPlan();
   if (distance) return takeByDistance();
   return novelty ? takeFrom(newest).value() : inOrder;
 }

@@ -50,7 +50,7 @@ Novelty::Degree Novelty::seeValue(const Word* state, std::uint32_t group) {
 }
 
 Novelty::Degree Novelty::seePair(const Word* state) {
-  auto degree = seeValue(state, 0);
+  auto degree = seeValue(state, UINT32_MAX);
   if (pairs.empty()) return degree;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!before.empty() && values[i] == before[i]) continue;

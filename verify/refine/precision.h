@@ -20,6 +20,8 @@ public:
   /// \return whether the next slice knows more
   [[nodiscard]] bool growBy(const Slice& slice, const Steps& steps);
 
+  [[nodiscard]] bool hasTime() const { return isTimed; }
+
 private:
   [[nodiscard]] Bits readByLate(const Slice& slice) const;
 

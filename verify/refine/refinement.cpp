@@ -20,11 +20,11 @@ constexpr std::uint64_t kMostInOrder = 1'000;
 
 } // namespace
 
-Refinement::Refinement(const System& system, const System& laidOut,
-                       const fiacre::Provenance& origins, Takes may, LimitWatch& watch,
-                       AnswerStore* answers)
-    : split(withSplitTests(system, watch)),
+Refinement::Refinement(const System& of, const System& laidOut, const fiacre::Provenance& origins,
+                       Takes may, LimitWatch& watch, AnswerStore* answers)
+    : split(withSplitTests(of, watch)),
       slicer(split.system, watch),
+      system(of),
       whole(laidOut),
       provenance(origins),
       takes(std::move(may)),
@@ -34,17 +34,22 @@ Refinement::Refinement(const System& system, const System& laidOut,
 Bits Refinement::decide(const std::vector<Goal>& goals, const std::vector<std::size_t>& open,
                         Budget budget, Exploration& statistics, const OnDecided& onDecided) {
   Bits decided;
+  PlanSearch plans(system, whole, provenance, takes, limits, goals, open);
   for (auto i : open) {
     if (budget.together == 0) break;
-    if (!Slicer::canDecide(goals[i])) continue;
+    if (!Slicer::canDecide(goals[i]) || decided.contains(static_cast<std::uint32_t>(i))) continue;
     const auto most = std::min(budget.together, budget.each);
     auto left = most;
-    const Asked asked{goals[i], [&](const Evidence* run) { return onDecided(i, run); }};
-    const bool isDecided = decide(asked, left, statistics) == Outcome::Decided;
+    const auto before = decided.count();
+    const Asked asked{goals[i], [&](const Evidence* run) { return onDecided(i, run); },
+                      [&](const Steps& plan, std::uint64_t& classes) {
+                        plans.follow(plan, classes, decided, statistics, onDecided);
+                        return decided.contains(static_cast<std::uint32_t>(i));
+                      }};
+    if (decide(asked, left, statistics) == Outcome::Decided)
+      decided.insert(static_cast<std::uint32_t>(i));
     spend(most - left, budget.together);
-    if (!isDecided) continue;
-    decided.insert(static_cast<std::uint32_t>(i));
-    budget.together += budget.each;
+    budget.together += budget.each * (decided.count() - before);
   }
   return decided;
 }
@@ -88,6 +93,7 @@ Refinement::Outcome Refinement::explore(const Asked& asked, const Slice& slice,
     const Evidence evidence{*run, {}};
     if (asked.onDecided(&evidence)) return Outcome::Decided;
   }
+  if (precision.hasTime() && asked.follow(inSystem(slice, steps), left)) return Outcome::Decided;
   return precision.growBy(slice, steps) ? Outcome::Refined : Outcome::GaveUp;
 }
 
@@ -118,16 +124,21 @@ SearchResult Refinement::searchFor(const Goal& goal, const Prepared& prepared,
   return found;
 }
 
+/// Steps of the slice as steps of the system, without those that others take meanwhile.
+Steps Refinement::inSystem(const Slice& slice, const Steps& steps) const {
+  Steps made = slice.inWhole(steps);
+  for (auto& step : made) step = split.original[step];
+  return made;
+}
+
 /// Completes steps of the slice to a run of the whole.
 std::optional<Steps> Refinement::completed(const Slice& slice, const Steps& steps) {
   const System allCells = withStateLayout(slice.system);
   const auto dating = dated(allCells, Enabling(allCells), {steps, {}}, limits);
   if (!dating) return std::nullopt;
-  Steps inWhole = slice.inWhole(steps);
-  for (auto& step : inWhole) step = split.original[step];
   Bits planned;
   slice.punctual().each([&](TransitionId id) { planned.insert(split.original[id]); });
-  return wholeRun(whole, inWhole, planned, *dating, limits);
+  return wholeRun(whole, inSystem(slice, steps), planned, *dating, limits);
 }
 
 bool Refinement::showProgress(Budget budget, Exploration& statistics) {

@@ -4,6 +4,7 @@
 #include "verify/explore/search.h"
 #include "verify/guide/goal_distance.h"
 #include "verify/reduce/prepared.h"
+#include "verify/refine/plan_search.h"
 #include "verify/refine/precision.h"
 #include "verify/refine/progress_proof.h"
 #include "verify/refine/split_tests.h"
@@ -64,6 +65,9 @@ private:
   struct Asked {
     const Goal& goal;
     std::function<bool(const Evidence*)> onDecided;
+    /// Searches the whole along a run of a slice, for this goal and others.
+    /// \return whether this one was decided
+    std::function<bool(const Steps&, std::uint64_t& classes)> follow;
   };
 
   [[nodiscard]] Outcome decide(const Asked& asked, std::uint64_t& left, Exploration& statistics);
@@ -76,10 +80,12 @@ private:
                                        GoalDistance* distance, std::uint64_t most,
                                        std::uint64_t& left, Exploration& statistics);
   [[nodiscard]] static Outcome never(const Asked& asked);
+  [[nodiscard]] Steps inSystem(const Slice& slice, const Steps& steps) const;
   [[nodiscard]] std::optional<Steps> completed(const Slice& slice, const Steps& steps);
 
   SplitSystem split;
   Slicer slicer; ///< of the split system
+  const System& system;
   const System& whole;
   const fiacre::Provenance& provenance;
   Takes takes;
