@@ -3,6 +3,7 @@
 #include "verify/verify.h"
 
 #include <chrono>
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -45,6 +46,10 @@ public:
   /// \throw LimitMet
   void checkGrowth(std::uint64_t growth) {
     if (auto limit = passed(0, growth); !limit.empty()) throw LimitMet{std::move(limit)};
+  }
+  /// A function that checks the limits at once. This object must live as long. It throws LimitMet.
+  [[nodiscard]] std::function<void()> asCheck() {
+    return [this] { checkGrowth(std::uint64_t{0}); };
   }
   /// The number of threads to use by a search that has found so many classes, of which so many
   /// wait to be expanded.

@@ -274,6 +274,7 @@ private:
       unsupported("`" + instance.process + "` gets the wrong number of arguments");
     Scope scope;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
+      types.checkLimits(); // each instance has a copy of what it refers to
       const auto& parameter = parameters[i];
       const Type& type = types.resolve(parameter.type);
       Value argument = expressions.value(instance.arguments[i], outer, &type);

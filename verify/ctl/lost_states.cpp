@@ -193,7 +193,7 @@ bool LostStates::hasAll(StateId state) const {
 /// found in the exact zone after these steps.
 std::optional<Evidence> LostStates::evidenceAt(NodeIndex node) {
   Evidence evidence{.steps = explorer.pathTo(node)};
-  const auto reached = exactZone(system, evidence.steps, limits, reductions.dropped);
+  const auto reached = exactZone(system, evidence.steps, limits.asCheck(), reductions.dropped);
   const StateId state = graph.stateOf(node);
   const auto& clocks = graph.timing.at(graph.signatureOf(state)).clocks;
   if (!reached || reached->clocks != clocks) return std::nullopt;

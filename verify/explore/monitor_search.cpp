@@ -44,7 +44,7 @@ public:
         measured(clock),
         own(with, withTicks, clock, watch),
         states(of.storedWords) {
-    timing.checkLimits(limits);
+    timing.callBetween(limits.asCheck());
     for (const auto& transition : of.transitions) hasErrors = hasErrors || transition.fails;
   }
 

@@ -27,7 +27,7 @@ Bits circlingLocations(const Monitor& monitor) {
 
 MonitorZones::MonitorZones(const Monitor& of, bool withTicks, const MeasuredClock* measured,
                            LimitWatch& limits)
-    : monitor(of), between([&limits] { limits.checkGrowth(std::uint64_t{0}); }) {
+    : monitor(of), between(limits.asCheck()) {
   if (withTicks) circling = circlingLocations(monitor);
   for (const auto& location : monitor.locations)
     for (const auto& edge : location.edges)

@@ -70,7 +70,7 @@ std::optional<Evidence> findStuck(const System& system, const std::vector<Goal>&
 } // namespace
 
 bool isReal(const System& system, const Evidence& evidence, LimitWatch& limits) {
-  auto reached = exactZone(system, evidence.steps, limits);
+  auto reached = exactZone(system, evidence.steps, limits.asCheck());
   if (!reached) return false;
   auto& [clocks, last] = *reached;
   return std::ranges::all_of(evidence.clocks, [&](const ClockRange& range) {

@@ -6,9 +6,9 @@
 namespace proskill::verify {
 
 std::optional<ExactZone> exactZone(const System& system, const std::vector<TransitionId>& steps,
-                                   LimitWatch& limits, const Bits& dropped) {
+                                   const Between& between, const Bits& dropped) {
   Timing timing(system, Extrapolation::Least);
-  timing.checkLimits(limits);
+  timing.callBetween(between);
   const Enabling enabling(system, dropped);
   StepLog log;
   std::vector<Word> state = initialState(system);

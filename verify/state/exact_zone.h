@@ -16,9 +16,9 @@ struct ExactZone {
 /// Computes the zones along steps from the initial state, extrapolated only as far as that is
 /// exact. Nothing if the steps are not possible.
 /// \param dropped transitions that are skipped
-/// \throw LimitMet
+/// \param between called between parts of operations on many clocks; may throw
 [[nodiscard]] std::optional<ExactZone> exactZone(const System& system,
                                                  const std::vector<TransitionId>& steps,
-                                                 LimitWatch& limits, const Bits& dropped = {});
+                                                 const Between& between, const Bits& dropped = {});
 
 } // namespace proskill::verify

@@ -1,10 +1,11 @@
 #pragma once
 
-#include "verify/limits.h"
 #include "verify/model/dbm.h"
 #include "verify/model/system.h"
 #include "verify/state/store.h"
 #include "verify/state/transition_set.h"
+
+#include <utility>
 
 namespace proskill::verify {
 
@@ -33,18 +34,16 @@ class Timing {
 public:
   Timing(const System& of, Extrapolation how) : system(of), extrapolation(how) {}
 
-  /// From now on, operations on many clocks check these limits, which must live as long.
-  void checkLimits(LimitWatch& limits) {
-    between = [&limits] { limits.checkGrowth(std::uint64_t{0}); };
-  }
+  /// From now on, operations on many clocks call this between their parts.
+  void callBetween(Between check) { between = std::move(check); }
   /// \param clocked the transitions with clocks; only these are read from `enabled`
   [[nodiscard]] SignatureId signature(bool urgent, const TransitionSet& enabled,
                                       const TransitionSet& clocked);
   [[nodiscard]] const Signature& at(SignatureId id) const { return signatures[id]; }
-  /// The initial zone: all clocks are 0, then time passes. \throw LimitMet
+  /// The initial zone: all clocks are 0, then time passes. May throw as callBetween() says
   [[nodiscard]] ZoneId initial(SignatureId signature);
   /// The successor of a zone of `before` by `transition`, as a zone of `after`; kNone if timing
-  /// forbids the transition. \throw LimitMet
+  /// forbids the transition. May throw as callBetween() says
   [[nodiscard]] ZoneId after(ZoneId zone, SignatureId before, TransitionId transition,
                              SignatureId after);
   /// Whether the transition can fire from some point of the zone. \pre the discrete state enables
