@@ -37,7 +37,6 @@ public:
   /// Call this before each step that adds to a vector that may be large.
   /// \throw LimitMet if the vector would exceed the memory limit when it grows
   template <class T> void checkGrowth(const std::vector<T>& all, std::size_t more) {
-    constexpr std::size_t kLarge = 1 << 20; // bytes
     if (all.capacity() - all.size() >= more || all.capacity() * sizeof(T) < kLarge) return;
     if (auto limit = passed(0, 2 * all.capacity() * sizeof(T)); !limit.empty())
       throw LimitMet{std::move(limit)};
@@ -46,6 +45,11 @@ public:
   /// \throw LimitMet
   void checkGrowth(std::uint64_t growth) {
     if (auto limit = passed(0, growth); !limit.empty()) throw LimitMet{std::move(limit)};
+  }
+  /// The same, unless these are few.
+  /// \throw LimitMet
+  void checkLargeGrowth(std::uint64_t growth) {
+    if (growth >= kLarge) checkGrowth(growth);
   }
   /// A function that checks the limits at once. This object must live as long. It throws LimitMet.
   [[nodiscard]] std::function<void()> asCheck() {
@@ -72,6 +76,7 @@ private:
   using Clock = std::chrono::steady_clock;
 
   static constexpr std::uint32_t kBetweenLooks = 64;
+  static constexpr std::size_t kLarge = 1 << 20; ///< bytes
 
   void look();
   [[nodiscard]] double now() const;

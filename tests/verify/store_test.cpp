@@ -69,6 +69,25 @@ TEST_CASE("Nothing is kept of a computation that ends early") {
   CHECK(memo.get(key, [] { return 6U; }) == 5);
 }
 
+TEST_CASE("Large zones announce before the next one how much memory is added") {
+  constexpr std::uint64_t kSmall = 100'000; // bytes of the other tables
+  ZoneStore store;
+  int growths = 0;
+  for (Bound i = 1; i <= 40; ++i) {
+    Dbm zone(300);
+    zone.up();
+    zone.constrain(1, 0, 2 * i);
+    const auto announced = store.growth();
+    const auto before = store.bytes();
+    store.add(zone);
+    if (i == 1 || store.bytes() - before < kSmall) continue;
+    CHECK(announced + kSmall >= store.bytes() - before);
+    ++growths;
+  }
+  CHECK(store.size() == 40);
+  CHECK(growths > 3);
+}
+
 TEST_CASE("A set of numbers grows as needed") {
   Bits set;
   CHECK(set.empty());

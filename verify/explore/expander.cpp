@@ -27,7 +27,7 @@ Expander::Expander(const System& of, const OpenGoals& asked, const Reductions& w
       timing(when),
       limits(watch),
       walker(of, in.enabling, with) {
-  timing.callBetween(limits.asCheck());
+  timing.callBetween([&zones = timing, &watch] { watch.checkGrowth(zones.growth()); });
   goalsOfEvent.resize(system.eventCount);
   hasErrors = std::ranges::any_of(system.transitions, &Transition::fails);
   for (std::size_t i = 0; i < goals.goals.size(); ++i) {

@@ -44,7 +44,7 @@ public:
         measured(clock),
         own(with, withTicks, clock, watch),
         states(of.storedWords) {
-    timing.callBetween(limits.asCheck());
+    timing.callBetween([&zones = timing, &watch] { watch.checkGrowth(zones.growth()); });
     for (const auto& transition : of.transitions) hasErrors = hasErrors || transition.fails;
   }
 

@@ -17,8 +17,11 @@ namespace proskill::verify {
 inline constexpr std::size_t kBetweenGrowthChecks = 4096;
 
 /// Additional bytes that a vector will allocate when it grows, if that is soon; otherwise 0.
-template <class T> [[nodiscard]] std::uint64_t growthOf(const std::vector<T>& all) {
-  if (all.capacity() - all.size() > kBetweenGrowthChecks) return 0;
+/// \param soon the elements that may be added before the next check
+template <class T>
+[[nodiscard]] std::uint64_t growthOf(const std::vector<T>& all,
+                                     std::size_t soon = kBetweenGrowthChecks) {
+  if (all.capacity() - all.size() > soon) return 0;
   return all.capacity() * sizeof(T);
 }
 

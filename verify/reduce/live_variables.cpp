@@ -54,8 +54,20 @@ LiveVariables::LiveVariables(const System& of, const std::vector<Goal>& goals, c
   keyMask = maskOf(tells);
   allMask = maskOf(allCells);
   alwaysMask = maskOf(always);
+  limits->checkLargeGrowth(maskBytes());
   for (auto& ofInstance : places)
     for (auto& place : ofInstance) findMasks(place);
+}
+
+/// The bytes of the masks of all places.
+std::uint64_t LiveVariables::maskBytes() const {
+  std::uint64_t masks = 0;
+  for (const auto& ofInstance : places)
+    for (const auto& place : ofInstance) {
+      masks += 2 + place.needed.size();
+      for (const auto& way : place.ways) masks += 1 + way.needs.size();
+    }
+  return masks * system.storedWords * sizeof(Word);
 }
 
 std::vector<Word> LiveVariables::maskOf(const Bits& cells) const {

@@ -63,6 +63,7 @@ private:
   void findWays(const PathsOf& paths, InstanceId instance);
   [[nodiscard]] Bits rewrittenFor(InstanceId instance, NodeId condition) const;
   void findLive(std::vector<Place>& all);
+  [[nodiscard]] std::uint64_t maskBytes() const;
   void findMasks(Place& place) const;
   [[nodiscard]] std::vector<Word> maskOf(const Bits& cells) const;
   [[nodiscard]] bool isAllLive(const Word* state) const;

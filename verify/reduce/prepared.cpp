@@ -1,5 +1,6 @@
 #include "verify/reduce/prepared.h"
 
+#include "verify/model/system_bytes.h"
 #include "verify/state/state_layout.h"
 
 namespace proskill::verify {
@@ -10,11 +11,20 @@ bool mayTake(Reduction reduction, const Options& options, const System& system) 
   return options.reductions.contains(reduction) && (!system.hasPriorities || withPriorities);
 }
 
+namespace {
+
+System copyOf(const System& whole, const Bits& cells, LimitWatch& limits) {
+  limits.checkLargeGrowth(bytesOf(whole));
+  return withStateLayout(whole, cells);
+}
+
+} // namespace
+
 Prepared::Prepared(const System& whole, const std::vector<Goal>& goals,
                    const std::function<bool(Reduction)>& takes, LimitWatch& limits)
     : relevance(takes(Reduction::DeadVariables) ? findRelevant(whole, goals, limits)
                                                 : everything(whole)),
-      system(withStateLayout(whole, relevance.cells)),
+      system(copyOf(whole, relevance.cells, limits)),
       extrapolation(takes(Reduction::Extrapolation) ? Extrapolation::LowerUpper
                                                     : Extrapolation::Least) {
   const Bits& dropped = reductions.dropped = relevance.dropped;

@@ -44,6 +44,7 @@ ZoneId ZoneStore::add(const Dbm& zone) {
   if (id != size()) return id;
   places.push_back({arena.size(), zone.dimension()});
   arena.insert(arena.end(), entries.begin(), entries.end());
+  largest = std::max(largest, entries.size());
   return id;
 }
 

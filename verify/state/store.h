@@ -4,6 +4,7 @@
 #include "verify/model/number_table.h"
 #include "verify/model/system.h"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -65,7 +66,8 @@ public:
     return table.bytes() + arena.capacity() * sizeof(Bound) + places.capacity() * sizeof(Place);
   }
   [[nodiscard]] std::uint64_t growth() const {
-    return table.growth() + growthOf(arena) + growthOf(places);
+    return table.growth() + growthOf(arena, std::max(kBetweenGrowthChecks, largest)) +
+           growthOf(places);
   }
 
 private:
@@ -79,6 +81,7 @@ private:
 
   std::vector<Place> places;
   std::vector<Bound> arena;
+  std::size_t largest = 0; ///< bounds of a zone
   NumberTable table;
 };
 

@@ -115,6 +115,8 @@ ZoneId Timing::settle(Dbm zone, const Signature& signature) {
   if (!zone.constrainAll(signature.invariants, between)) return kNone;
   zone.extrapolate(signature.lower, signature.upper, between);
   if (!zone.constrainAll(signature.invariants, between)) return kNone;
+  constexpr std::size_t kMany = 100; // clocks: the zone takes as much memory as many others
+  if (between && signature.clocks.size() >= kMany) between();
   return store.add(zone);
 }
 

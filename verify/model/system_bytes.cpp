@@ -1,0 +1,32 @@
+#include "verify/model/system_bytes.h"
+
+namespace proskill::verify {
+
+namespace {
+
+template <class... Element> std::uint64_t bytesIn(const std::vector<Element>&... all) {
+  return ((all.size() * sizeof(Element)) + ... + 0);
+}
+
+std::uint64_t bytesOf(const Path& path) {
+  return sizeof(Path) + path.guardReads.bytes() + path.reads.bytes() + path.writes.bytes() +
+         bytesIn(path.sent, path.code, path.assignments, path.stores, path.risks);
+}
+
+std::uint64_t bytesOf(const Transition& transition) {
+  return sizeof(Transition) + transition.consumed.bytes() + transition.guardReads.bytes() +
+         transition.reads.bytes() + transition.writes.bytes() +
+         bytesIn(transition.parts, transition.events, transition.seen, transition.tests,
+                 transition.rest, transition.blockers, transition.laterBlockers);
+}
+
+} // namespace
+
+std::uint64_t bytesOf(const System& system) {
+  std::uint64_t all = bytesIn(system.cells, system.nodes, system.clocks);
+  for (const auto& path : system.paths) all += bytesOf(path);
+  for (const auto& transition : system.transitions) all += bytesOf(transition);
+  return all;
+}
+
+} // namespace proskill::verify
