@@ -51,9 +51,11 @@ public:
   void checkLargeGrowth(std::uint64_t growth) {
     if (growth >= kLarge) checkGrowth(growth);
   }
-  /// A function that checks the limits at once. This object must live as long. It throws LimitMet.
+  /// Checks the limits at once. \throw LimitMet
+  void checkNow() { checkGrowth(std::uint64_t{0}); }
+  /// The same as a function. This object must live as long.
   [[nodiscard]] std::function<void()> asCheck() {
-    return [this] { checkGrowth(std::uint64_t{0}); };
+    return [this] { checkNow(); };
   }
   /// The number of threads to use by a search that has found so many classes, of which so many
   /// wait to be expanded.

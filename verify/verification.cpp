@@ -345,7 +345,7 @@ std::optional<Unsupported> Verification::watch(std::size_t index, const Goal& go
 void Verification::answerBy(std::size_t index, const Evidence& evidence, const Witness& witness) {
   const auto& goal = compiled.goals[index];
   try {
-    limits.asCheck()(); // many answers may follow the one that meets a limit
+    limits.checkNow(); // many answers may follow the one that meets a limit
     const Evidence tidied = witness.tidied(goal, evidence);
     auto made = shown(index, goal, tidied, witness);
     if (!made) return answer(index, unknown("internal error, please report it: " + made.error()));

@@ -1,5 +1,6 @@
 #include "ide/verdicts/verification.h"
 
+#include "ide/verdicts/idle_steps.h"
 #include "ide/verdicts/times.h"
 #include "ide/verdicts/waits.h"
 #include "ide/verdicts/why.h"
@@ -80,9 +81,10 @@ VerdictRow row(const codegen::Check& check, verify::Answer answer, const codegen
   result.verdict = verdictOf(check, answer.truth);
   result.location = locate(model.provenance.origins[check.origin]);
   if (answer.trace) {
-    const auto support = answer.trace->support;
-    const auto waits = waitsText(answer.trace->waits, model);
-    result.trace = translate(std::move(*answer.trace), model);
+    auto raw = withoutIdleSteps(std::move(*answer.trace), model.provenance);
+    const auto support = raw.support;
+    const auto waits = waitsText(raw.waits, model);
+    result.trace = translate(std::move(raw), model);
     result.trace->summary = summaryOf(check, model, *result.trace, support);
     if (!waits.empty())
       result.trace->summary.replace(result.trace->summary.size() - 1, 1, ": " + waits + ".");

@@ -10,8 +10,10 @@ namespace proskill::syntax {
 
 [[nodiscard]] inline bool isSpace(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
+[[nodiscard]] inline bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
 [[nodiscard]] inline bool isWordCharacter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || isDigit(c) || c == '_';
 }
 
 /// The number of columns of a text without wide characters.

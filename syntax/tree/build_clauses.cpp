@@ -94,7 +94,7 @@ std::string tagFor(std::string_view condition) {
     const std::string_view word(condition.begin() + at, end);
     const bool isKeyword = at > 0 && condition[at - 1] == ':';
     at += word.size() + 1;
-    if (word.empty() || isKeyword || (tag.empty() && word[0] <= '9')) continue;
+    if (word.empty() || isKeyword || (tag.empty() && isDigit(word[0]))) continue;
     tag += (tag.empty() ? "" : "_") + std::string(word);
     ++words;
   }

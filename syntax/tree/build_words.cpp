@@ -58,13 +58,17 @@ void reportUnknownField(Builder& builder, const Field& field, std::string_view o
           nearest(keyword.text, known));
 }
 
+namespace {
+
 /// The word of `(word)`, otherwise null.
-static const Node* wordInParentheses(const Builder& builder, const Node& node) {
+const Node* wordInParentheses(const Builder& builder, const Node& node) {
   if (!builder.textOf(node).starts_with('(')) return nullptr;
   Parts parts(node);
   const Node* word = parts.take();
   return word && word->kind == NodeKind::Symbol && !parts.peek() ? word : nullptr;
 }
+
+} // namespace
 
 Name takeName(Builder& builder, Parts& parts, const Name& head) {
   const Node* next = parts.peek();

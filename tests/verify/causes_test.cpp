@@ -197,29 +197,3 @@ TEST_CASE("the relevant steps alone come to the same, in random models") {
   CHECK(all.traces > 500);
   CHECK(all.shorter > 100);
 }
-
-TEST_CASE("a trace has no steps in which a process that has ended does nothing") {
-  const auto model = codegen::generate(
-      programOfText("(defsv battery :states (Good Low Critical) :init Good)"
-                    "(defevent low :every [20,...[ :effects (battery Low))"
-                    "(defevent critical :every [10,...[ :effects (battery Critical))"
-                    "(defskill go :time_interval [1,2] :action (go))"
-                    "(defskill mission :interrupt () :body ((go)))"
-                    "(defskill watch :monitor t :body ((while true (^ (battery Critical)) "
-                    "(mission.interrupt) (go))))"
-                    "(defproperty charged (leadsto (battery Critical) (battery Good)))"));
-  REQUIRE(model.has_value());
-  std::vector<verify::Question> questions;
-  for (const auto& check : model->checks) questions.push_back({check.property});
-  const auto result = verify::verify(model->fiacre, model->provenance, questions, {});
-  REQUIRE(result.has_value());
-  std::size_t steps = 0;
-  for (const auto& answer : result->answers)
-    for (std::size_t i = 0; answer.trace && i < answer.trace->steps.size(); ++i, ++steps) {
-      INFO(answer.trace->steps[i].transitions.at(0));
-      const auto& origins = answer.trace->steps[i].origins;
-      REQUIRE(!origins.empty());
-      CHECK(!model->provenance.origins[origins.back()].description.empty());
-    }
-  CHECK(steps > 40);
-}

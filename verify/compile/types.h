@@ -29,8 +29,7 @@ public:
   }
   /// Call this before allocating so many bytes at once, which may be many. \throw LimitMet
   void checkGrowth(std::uint64_t bytes) const {
-    constexpr std::uint64_t kLarge = 1 << 20;
-    if (limits && bytes >= kLarge) limits->checkGrowth(bytes);
+    if (limits) limits->checkLargeGrowth(bytes);
   }
 
   /// The type that a type name stands for; any other type itself.

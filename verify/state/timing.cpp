@@ -115,8 +115,7 @@ ZoneId Timing::settle(Dbm zone, const Signature& signature) {
   if (!zone.constrainAll(signature.invariants, between)) return kNone;
   zone.extrapolate(signature.lower, signature.upper, between);
   if (!zone.constrainAll(signature.invariants, between)) return kNone;
-  constexpr std::size_t kMany = 100; // clocks: the zone takes as much memory as many others
-  if (between && signature.clocks.size() >= kMany) between();
+  if (between && zone.dimension() >= kManyClocks) between(); // the zone is large, too
   return store.add(zone);
 }
 

@@ -9,7 +9,6 @@
 #include "verify/trace/waits.h"
 
 #include <algorithm>
-#include <ranges>
 
 namespace proskill::verify {
 
@@ -43,24 +42,16 @@ std::vector<bool> readSteps(const Evidence& evidence) {
   return read;
 }
 
-/// The evidence without a step, and without the monitor's moves at it.
+/// The evidence without a step that the monitor does not read.
 Evidence without(const Evidence& evidence, std::size_t step) {
   Evidence made = evidence;
   made.steps.erase(made.steps.begin() + static_cast<std::ptrdiff_t>(step));
-  const auto isOfStep = [&](const MonitorMove& it) { return it.atStep && it.after == step + 1; };
-  if (made.rest)
-    *made.rest -= static_cast<std::size_t>(
-        std::ranges::count_if(made.marks | std::views::take(*made.rest), isOfStep));
-  std::erase_if(made.marks, isOfStep);
   for (auto& mark : made.marks) {
     if (mark.after > step) --mark.after;
     if (mark.until > step) --mark.until;
   }
-  if (made.loop && *made.loop > step) --*made.loop;
   return made;
 }
-
-constexpr std::size_t kLong = 400; ///< steps; of longer evidence, none is removed one by one
 
 } // namespace
 
@@ -171,11 +162,12 @@ const std::vector<std::uint32_t>& Witness::watchedBy(TransitionId step) const {
 }
 
 Evidence Witness::tidied(const Goal& goal, const Evidence& evidence) const {
-  Evidence whole = withoutIdleSteps(goal, completed(goal, evidence));
+  Evidence whole = completed(goal, evidence);
   if (!open) return whole;
-  Evidence better = withoutIdleSteps(goal, completed(goal, lazily(goal, evidence)));
+  Evidence better = completed(goal, lazily(goal, evidence));
   if (!refutation(goal, better).empty()) return whole;
   if (goal.kind == GoalKind::Lost) return better; // a replay does not show that a moment is lost
+  constexpr std::size_t kLong = 400;
   if (better.steps.size() >= kLong) return better;
   const std::vector<bool> read = readSteps(better); // only steps after the current one are removed
   std::vector<std::size_t> setters;                 // the last one first
@@ -189,19 +181,6 @@ Evidence Witness::tidied(const Goal& goal, const Evidence& evidence) const {
     if (refutation(goal, shorter).empty()) better = std::move(shorter);
   }
   return better;
-}
-
-/// The evidence without steps that change nothing, such as those of a process that has ended, where
-/// it remains evidence.
-Evidence Witness::withoutIdleSteps(const Goal& goal, const Evidence& evidence) const {
-  Evidence shorter = evidence;
-  if (goal.kind == GoalKind::Lost || shorter.steps.size() >= kLong) return shorter;
-  for (std::size_t i = shorter.steps.size(); i-- > 0;) {
-    if (!system.transitions[shorter.steps[i]].writes.empty()) continue;
-    Evidence tried = without(shorter, i);
-    if (refutation(goal, tried).empty()) shorter = std::move(tried);
-  }
-  return shorter;
 }
 
 /// The search sets open variables before each step and back after it. Here they are set only when a

@@ -39,7 +39,6 @@ private:
                                   std::optional<Dating>& dating, bool windows) const;
   void addCauses(const Goal& goal, const Evidence& evidence, Trace& trace) const;
   [[nodiscard]] const std::vector<std::uint32_t>& watchedBy(TransitionId step) const;
-  [[nodiscard]] Evidence withoutIdleSteps(const Goal& goal, const Evidence& evidence) const;
   [[nodiscard]] Evidence lazily(const Goal& goal, const Evidence& evidence) const;
   [[nodiscard]] Evidence completed(const Goal& goal, const Evidence& evidence) const;
 
