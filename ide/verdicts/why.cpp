@@ -165,8 +165,9 @@ std::string stepText(const Trace& trace, std::size_t number) {
 }
 
 std::string repeatText(const Trace& trace) {
-  return fmt::format("steps {} to {} can be repeated for ever", *trace.loop + 1,
-                     trace.steps.size());
+  const auto first = *trace.loop + 1;
+  if (first == trace.steps.size()) return fmt::format("step {} can be repeated for ever", first);
+  return fmt::format("steps {} to {} can be repeated for ever", first, trace.steps.size());
 }
 
 /// What decided a condition of the last state: variables, and steps if there is no variable.

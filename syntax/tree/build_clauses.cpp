@@ -3,6 +3,8 @@
 #include "syntax/tree/build.h"
 
 #include <algorithm>
+#include <set>
+#include <string>
 
 /// Effects, and the fields of skills whose values are tags with conditions or clauses.
 namespace proskill::syntax {
@@ -101,12 +103,23 @@ std::string tagFor(std::string_view condition) {
   return tag;
 }
 
+/// The tags of a list so far.
+using Tags = std::set<std::string, std::less<>>;
+
+/// Adds a tag, with a number where there is one like it.
+std::string added(const std::string& wish, Tags& tags) {
+  std::string tag = wish;
+  for (int number = 2; !tags.insert(tag).second; ++number) tag = fmt::format("{}_{}", wish, number);
+  return tag;
+}
+
 /// \param clause what belongs after the tag
 void reportMissingTag(Builder& builder, const Node& node, std::string_view what,
-                      const std::string& clause) {
+                      const std::string& clause, Tags& tags) {
   auto& diagnostic = builder.report(Code::MissingTag, node.range, what);
-  const auto tag = tagFor(builder.textOf(node));
-  if (tag.empty()) return;
+  const auto wish = tagFor(builder.textOf(node));
+  if (wish.empty()) return;
+  const auto tag = added(wish, tags);
   diagnostic.fixes.push_back(
       {"put a tag before it", {0, node.range}, fmt::format("{} {}", tag, clause)});
 }
@@ -115,6 +128,7 @@ void reportMissingTag(Builder& builder, const Node& node, std::string_view what,
 
 List<Precondition> preconditionsOf(Builder& builder, const Node& list) {
   List<Precondition> preconditions;
+  Tags tags;
   Parts parts(list);
   while (const Node* part = parts.take()) {
     if (isDamaged(*part)) continue;
@@ -123,10 +137,12 @@ List<Precondition> preconditionsOf(Builder& builder, const Node& list) {
     if (part->kind != NodeKind::Precondition) {
       precondition.tag.range = {part->range.begin, part->range.begin};
       precondition.condition = expressionOf(builder, *part);
-      reportMissingTag(builder, *part, "this precondition", std::string(builder.textOf(*part)));
+      reportMissingTag(builder, *part, "this precondition", std::string(builder.textOf(*part)),
+                       tags);
     } else {
       Parts pair(*part);
       precondition.tag = builder.nameOf(*pair.take());
+      tags.emplace(precondition.tag.text);
       if (const Node* condition = pair.take())
         precondition.condition = expressionOf(builder, *condition);
       else {
@@ -233,12 +249,13 @@ std::string clauseOf(const Builder& builder, const Node& node) {
 
 List<Invariant> invariantsOf(Builder& builder, const Node& list) {
   List<Invariant> invariants;
+  Tags tags;
   Parts parts(list);
   while (const Node* part = parts.take()) {
     if (part->kind == NodeKind::Invariant)
-      invariants.push_back(invariantOf(builder, *part));
+      tags.emplace(invariants.emplace_back(invariantOf(builder, *part)).tag.text);
     else if (part->kind == NodeKind::InvariantClause)
-      reportMissingTag(builder, *part, "this invariant", clauseOf(builder, *part));
+      reportMissingTag(builder, *part, "this invariant", clauseOf(builder, *part), tags);
     else if (!isDamaged(*part))
       builder.report(Code::MalformedValue, part->range, ":invariant",
                      "tags and clauses, such as `(in_control (:guard (motion Free)))`");

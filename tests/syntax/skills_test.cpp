@@ -47,6 +47,8 @@ TEST_CASE("parentheses around an outcome or a name are removed by a fix") {
 
 TEST_CASE("a condition without a tag gets one by a fix") {
   CHECK(mended(":precondition ((a B) (< c 3))") == ":precondition (a_B (a B) c_3 (< c 3))");
+  CHECK(mended(":precondition (n_1 (a B) (< n 1) (/= n 1))") ==
+        ":precondition (n_1 (a B) n_1_2 (< n 1) n_1_3 (/= n 1))");
   CHECK(mended(":invariant ((:guard (a B)))") == ":invariant (a_B (:guard (a B)))");
   CHECK(mended(":invariant ((a B))") == ":invariant (a_B (:guard (a B)))");
 }

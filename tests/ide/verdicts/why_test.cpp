@@ -212,3 +212,15 @@ TEST_CASE("a truth value is told with its input") {
               "works");
   CHECK(stepThat(chooses, "tests `$gently`: false").why == "`turn.gently` is false since step 7");
 }
+
+TEST_CASE("a step that repeats for ever alone is told as one") {
+  const auto trace = traceOf("(defsv battery :states (Good Low) :init Good)\n"
+                             "(defevent drain :every [1,2] :effects (battery Low))\n"
+                             "(defskill mission :body ())\n"
+                             "(defproperty charged (leadsto (battery Low) (battery Good)))",
+                             "charged");
+  REQUIRE(trace.loop);
+  REQUIRE(trace.steps.size() == *trace.loop + 1);
+  CHECK(trace.summary.starts_with("Step " + std::to_string(trace.steps.size()) +
+                                  " can be repeated for ever"));
+}
