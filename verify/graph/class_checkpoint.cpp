@@ -9,7 +9,7 @@ void ClassGraph::save() {
   checkpoint->save([this](CheckpointWriter& to) { write(to); });
 }
 
-/// Domains by their numbers; markings with their domains, in the order in which these were found.
+/// Domains by their numbers; markings with their domains.
 void ClassGraph::write(CheckpointWriter& to) const {
   to.number(result.transitions);
   to.number(domains.zones().size());
@@ -22,15 +22,24 @@ void ClassGraph::write(CheckpointWriter& to) const {
     markings.read(id, marking.data());
     writeState(to, before.data(), marking.data(), system.words);
     std::swap(before, marking);
-    to.number(classes.at(id).size());
-    to.number(classes.at(id).size() - info[id].done);
-    for (auto domain : classes.at(id)) to.number(domain);
+    writeClasses(to, id);
   }
   writeSteps(to, {waiting.begin(), waiting.end()});
   to.number(possibleSets.size());
   for (const auto& set : possibleSets) writeSteps(to, set);
   to.number(domainKeys.size());
   for (auto key : domainKeys) to.number(key);
+}
+
+/// The domains of a marking, and which of them are expanded.
+void ClassGraph::writeClasses(CheckpointWriter& to, std::uint32_t marking) const {
+  const SetId all = classes.at(marking);
+  const SetId done = expanded.at(marking);
+  const auto write = [&](ZoneId domain) { to.number(domain); };
+  to.number(sets.sizeOf(all));
+  sets.eachIn(all, write);
+  to.number(sets.sizeOf(done));
+  if (done != all) sets.eachIn(done, write);
 }
 
 void ClassGraph::resume(CheckpointReader& from) {
@@ -45,9 +54,10 @@ void ClassGraph::resume(CheckpointReader& from) {
   state.assign(system.words, 0);
   const auto count = from.numberBelow(kNone);
   for (std::uint64_t i = 0; i < count && readMarking(from); ++i) limits.check();
-  for (auto id : readSteps(from, info.size())) {
-    if (info[id].waits || info[id].done == classes.at(id).size()) from.fail();
-    info[id].waits = true;
+  std::vector<bool> waits(markings.size());
+  for (auto id : readSteps(from, markings.size())) {
+    if (waits[id] || expanded.at(id) == classes.at(id)) from.fail();
+    waits[id] = true;
     waiting.push_back(id);
   }
   readDomains(from);
@@ -58,20 +68,29 @@ bool ClassGraph::readMarking(CheckpointReader& from) {
   readState(from, state.data(), system.words);
   if (from.hasFailed() || !isState(system, state.data())) return from.fail(), false;
   enabling.compute(state.data(), enabled);
-  const std::uint32_t id = add(state, enabled);
-  if (id + 1 != info.size()) return from.fail(), false;
-  const auto size = from.numberBelow(kNone);
-  const auto open = from.numberBelow(size + 1);
-  for (std::uint64_t i = 0; i < size && !from.hasFailed(); ++i) {
-    const ZoneId domain = from.indexBelow(domains.zones().size());
-    if (from.hasFailed() || !classes.insert(id, domain) ||
-        domains.zones().dimension(domain) != domains.dimensionOf(info[id].signature))
-      return from.fail(), false;
-  }
-  info[id].done = static_cast<std::uint32_t>(size - open);
-  result.classes += size;
-  if (size > 0) ++result.markings;
+  const auto [id, isNew] = markings.add(state.data());
+  if (!isNew) return from.fail(), false;
+  describe(enabled);
+  const SetId all = readClasses(from, from.numberBelow(kNone));
+  const auto size = from.numberBelow(sets.sizeOf(all) + std::uint64_t{1});
+  const SetId done = size == sets.sizeOf(all) ? all : readClasses(from, size);
+  if (sets.unite(all, done) != all) from.fail();
+  sets.eachIn(all, [&](ZoneId domain) {
+    if (domains.zones().dimension(domain) != domains.dimensionOf(signatures.at(id))) from.fail();
+  });
+  classes.set(id, all);
+  expanded.set(id, done);
+  result.classes += sets.sizeOf(all);
+  if (all != NumberSets::kEmpty) ++result.markings;
   return !from.hasFailed();
+}
+
+SetId ClassGraph::readClasses(CheckpointReader& from, std::uint64_t count) {
+  SetId all = NumberSets::kEmpty;
+  for (std::uint64_t i = 0; i < count && !from.hasFailed(); ++i)
+    all = sets.unite(all, sets.single(from.indexBelow(domains.zones().size())));
+  if (sets.sizeOf(all) != count) from.fail();
+  return all;
 }
 
 void ClassGraph::readDomains(CheckpointReader& from) {

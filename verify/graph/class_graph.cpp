@@ -4,7 +4,27 @@
 #include "verify/state/evaluate.h"
 #include "verify/state/state_layout.h"
 
+#include <algorithm>
+#include <tuple>
+
 namespace proskill::verify {
+
+namespace {
+
+/// Whether a path may end in more than one location.
+bool branches(const Path& path) {
+  std::optional<std::uint32_t> first;
+  for (const auto& instruction : path.code) {
+    const bool isEnd = instruction.kind == InstructionKind::To;
+    if (!isEnd && instruction.kind != InstructionKind::Loop) continue;
+    const std::uint32_t end = isEnd ? instruction.last : path.location;
+    if (first.value_or(end) != end) return true;
+    first = end;
+  }
+  return false;
+}
+
+} // namespace
 
 ClassGraph::ClassGraph(const System& of, LimitWatch& watch, GraphRecorder* to, Checkpoint* kept,
                        Ranks* shared)
@@ -15,9 +35,14 @@ ClassGraph::ClassGraph(const System& of, LimitWatch& watch, GraphRecorder* to, C
       ranks(shared),
       enabling(of),
       domains(of),
+      images(domains, sets),
       markings(of),
       state(of.words),
+      next(of.words),
       received(of.words) {
+  for (const auto& transition : of.transitions)
+    branching.push_back(std::ranges::any_of(transition.parts,
+                                            [&](PathId part) { return branches(of.paths[part]); }));
   if (!ranks) return;
   exchange.emplace(*ranks, [this](unsigned, CheckpointReader& records) { receive(records); });
   lastSent.assign(ranks->count(), std::vector<Word>(of.words));
@@ -49,9 +74,10 @@ void ClassGraph::start() {
   std::vector<Word> first = initialState(system);
   if (isElsewhere(first)) return;
   enabling.compute(first.data(), enabled);
-  const std::uint32_t marking = add(first, enabled);
-  initial = {marking, domains.initial(info[marking].signature)};
-  enter(initial.marking, initial.domain);
+  initial.marking = markings.add(first.data()).id;
+  describe(enabled);
+  initial.domain = domains.initial(signatures.at(initial.marking));
+  enter(initial.marking, sets.single(initial.domain));
 }
 
 /// Expands what waits, until nothing is left here, or a limit is met.
@@ -63,6 +89,7 @@ void ClassGraph::explore() {
     if (!result.stopped.empty() || !failure.message.empty()) return;
     if (checkpoint && count % kBetweenChecks == 0 && checkpoint->isDue()) save();
     if (exchange && count % kBetweenChecks == 0) exchange->receive();
+    if (sets.isCrowded()) removeUnusedSets();
     const std::uint32_t oldest = waiting.front();
     waiting.pop_front();
     expand(oldest);
@@ -70,23 +97,112 @@ void ClassGraph::explore() {
 }
 
 void ClassGraph::expand(std::uint32_t id) {
-  info[id].waits = false;
-  const auto all = classes.at(id);
-  pending.assign(all.begin() + info[id].done, all.end());
-  info[id].done = static_cast<std::uint32_t>(all.size());
-  markings.read(id, state.data());
+  const SetId all = classes.at(id);
+  pending = sets.without(all, expanded.at(id));
+  expanded.set(id, all);
+  signature = signatures.at(id);
+  markings.read(id, state.data(), path);
   enabling.compute(state.data(), enabled);
+  fireAll();
+  findTargets();
+  enterTargets(id);
+  noteDomains(numberOfPossible(), pending);
+}
+
+/// Computes the markings after all transitions that are possible in the marking.
+void ClassGraph::fireAll() {
   possible.clear();
+  successors.clear();
+  successorStates.clear();
   eachIn(enabled, [&](TransitionId transition) {
-    if (!enabling.isBlocked(transition, enabled)) follow(id, transition);
+    if (enabling.isBlocked(transition, enabled) || !fireFromState(transition)) return;
+    if (isElsewhere(next)) return sendSuccessors(transition);
+    successors.push_back({transition, kNone, 0});
+    successorStates.insert(successorStates.end(), next.begin(), next.end());
+    if (recorder) successors.back().label = recorder->label(transition, log);
   });
-  countDomains();
+}
+
+/// Computes the marking after a transition, and notes what was possible. \return whether it is
+bool ClassGraph::fireFromState(TransitionId transition) {
+  next = state;
+  log.clear();
+  const Outcome outcome =
+      recorder ? fire(system, transition, next.data(), log) : fire(system, transition, next.data());
+  if (outcome == Outcome::Failed) noteFailure(transition);
+  if (outcome != Outcome::Done) return false;
+  notePossible(transition, next.data());
+  return true;
+}
+
+/// Says why a transition cannot be fired from the marking that is expanded.
+void ClassGraph::noteFailure(TransitionId transition) {
+  next = state;
+  log.clear();
+  std::ignore = fire(system, transition, next.data(), log);
+  failure = {log.failure, log.origins.empty() ? 0 : log.origins.back()};
+}
+
+void ClassGraph::notePossible(TransitionId transition, const Word* after) {
+  possible.push_back(transition);
+  if (!branching[transition]) return;
+  for (auto part : system.transitions[transition].parts) {
+    const auto& instance = system.instances[system.paths[part].instance];
+    possible.push_back(static_cast<std::uint32_t>(readCell(system, instance.location, after)));
+  }
+}
+
+/// Numbers the markings after the transitions. What they need from memory is asked for early.
+void ClassGraph::findTargets() {
+  const auto& roots = markings.rootsOf(successorStates, system.words, path);
+  for (const auto& root : roots) markings.roots.prefetchSlot(root);
+  for (const auto& root : roots) markings.roots.prefetchState(root);
+  for (std::size_t i = 0; i < successors.size(); ++i) {
+    Successor& step = successors[i];
+    const auto [id, isNew] = markings.roots.add(roots[i]);
+    step.marking = id;
+    if (isNew) {
+      nextEnabled = enabled;
+      enabling.update(step.transition, &successorStates[i * system.words], nextEnabled);
+      describe(nextEnabled);
+    }
+    signatures.prefetch(id);
+    classes.prefetch(id);
+    expanded.prefetch(id);
+  }
+}
+
+/// Fires the transitions from the pending domains.
+void ClassGraph::enterTargets(std::uint32_t source) {
+  for (const auto& step : successors) {
+    const auto image =
+        images.of(pending, {signature, step.transition, signatures.at(step.marking)});
+    result.transitions += image.fired;
+    if (recorder) recordEdges(source, step);
+    if (image.fired > 0) enter(step.marking, image.domains);
+  }
+}
+
+void ClassGraph::recordEdges(std::uint32_t source, const Successor& step) {
+  sets.eachIn(pending, [&](ZoneId domain) {
+    const ZoneId after =
+        domains.after(domain, signature, step.transition, signatures.at(step.marking));
+    if (after != kNone) recorder->edge({source, domain}, step.label, {step.marking, after});
+  });
 }
 
 /// Counts domains: the sets of possible transitions and their targets.
-void ClassGraph::countDomains() {
-  const std::uint64_t set = numberOfPossible();
-  for (auto domain : pending) addDomain(set << 32 | domain);
+void ClassGraph::noteDomains(std::uint32_t possibleSet, SetId set) {
+  const Memo::Key key{set, possibleSet, 0, 0};
+  if (set == NumberSets::kEmpty || noted.find(key)) return;
+  noted.fit(sets.end());
+  noted.put(key, {});
+  if (!sets.isLeaf(set)) {
+    const auto [left, right] = sets.partsOf(set);
+    noteDomains(possibleSet, left);
+    return noteDomains(possibleSet, right);
+  }
+  sets.eachIn(set, [&](ZoneId domain) { addDomain(std::uint64_t{possibleSet} << 32 | domain); });
 }
 
 std::uint32_t ClassGraph::numberOfPossible() {
@@ -107,41 +223,6 @@ std::uint32_t ClassGraph::addDomain(std::uint64_t key) {
   return found;
 }
 
-/// Fires a transition from every pending class.
-void ClassGraph::follow(std::uint32_t source, TransitionId transition) {
-  const std::uint32_t signature = info[source].signature;
-  if (!fireFromState(transition)) return;
-  if (isElsewhere(next)) return sendSuccessors(signature, transition);
-  const std::uint32_t target = add(next, nextEnabled);
-  const std::uint32_t label = recorder ? recorder->label(transition, log) : 0;
-  for (auto domain : pending) {
-    const ZoneId after = domains.after(domain, signature, transition, info[target].signature);
-    if (after == kNone) continue;
-    ++result.transitions;
-    if (recorder) recorder->edge({source, domain}, label, {target, after});
-    enter(target, after);
-  }
-}
-
-/// Computes the marking after a transition, and notes what was possible. \return whether it is
-bool ClassGraph::fireFromState(TransitionId transition) {
-  next = state;
-  nextEnabled = enabled;
-  log.clear();
-  const Outcome outcome = fire(system, transition, next.data(), log);
-  if (outcome == Outcome::Failed)
-    failure = {log.failure, log.origins.empty() ? 0 : log.origins.back()};
-  if (outcome != Outcome::Done) return false;
-  possible.push_back(transition);
-  for (auto part : system.transitions[transition].parts) {
-    const auto& instance = system.instances[system.paths[part].instance];
-    possible.push_back(
-        static_cast<std::uint32_t>(readCell(system, instance.location, next.data())));
-  }
-  enabling.update(transition, next.data(), nextEnabled);
-  return true;
-}
-
 std::uint32_t ClassGraph::signatureOf(const TransitionSet& allowed) {
   std::vector<TransitionId> clocked;
   eachIn(allowed, [&](TransitionId transition) {
@@ -150,33 +231,45 @@ std::uint32_t ClassGraph::signatureOf(const TransitionSet& allowed) {
   return domains.signature(enabling.isUrgent(allowed), clocked);
 }
 
-std::uint32_t ClassGraph::add(const std::vector<Word>& marking, const TransitionSet& allowed) {
-  auto [id, isNew] = markings.add(marking.data());
-  if (isNew) describe(allowed);
-  return id;
-}
-
 /// Adds what belongs to the newest marking.
 void ClassGraph::describe(const TransitionSet& allowed) {
-  classes.add();
-  info.push_back({signatureOf(allowed), 0, false});
+  signatures.push(signatureOf(allowed));
+  classes.push(NumberSets::kEmpty);
+  expanded.push(NumberSets::kEmpty);
 }
 
-void ClassGraph::enter(std::uint32_t marking, ZoneId domain) {
-  if (classes.at(marking).empty()) ++result.markings; // others are possible except for time
-  if (!classes.insert(marking, domain)) return;
-  ++result.classes;
-  if (info[marking].waits) return;
-  info[marking].waits = true;
-  waiting.push_back(marking);
+/// Adds classes to a marking.
+void ClassGraph::enter(std::uint32_t marking, SetId more) {
+  const SetId before = classes.at(marking);
+  const SetId after = sets.unite(before, more);
+  if (after == before) return;
+  if (before == NumberSets::kEmpty) ++result.markings; // others are possible except for time
+  result.classes += sets.sizeOf(after) - sets.sizeOf(before);
+  if (before == expanded.at(marking)) waiting.push_back(marking);
+  classes.set(marking, after);
+}
+
+void ClassGraph::removeUnusedSets() {
+  std::vector<bool> needed(sets.end());
+  for (std::size_t i = 0; i < classes.size(); ++i)
+    needed[classes.at(i)] = needed[expanded.at(i)] = true;
+  const auto moved = sets.removeUnused(std::move(needed));
+  for (std::size_t i = 0; i < classes.size(); ++i) {
+    classes.set(i, moved[classes.at(i)]);
+    expanded.set(i, moved[expanded.at(i)]);
+  }
+  images.forget();
+  noted.clear();
 }
 
 std::uint64_t ClassGraph::bytes() const {
-  return markings.bytes() + classes.bytes() + domains.bytes() + info.capacity() * sizeof(Marking) +
+  return markings.bytes() + sets.bytes() + images.bytes() + domains.bytes() + noted.bytes() +
+         signatures.bytes() + classes.bytes() + expanded.bytes() +
          waiting.size() * sizeof(std::uint32_t) + domainTable.bytes() +
          domainKeys.capacity() * sizeof(std::uint64_t) + (recorder ? recorder->bytes() : 0) +
          (exchange ? exchange->bytes() : 0);
 }
+
 Progress ClassGraph::progress() const {
   return {result.classes, result.markings, waiting.size(), bytes(), limits.seconds()};
 }

@@ -22,24 +22,22 @@ unsigned ClassGraph::ownerOf(const std::vector<Word>& marking) const {
 }
 
 /// Sends the classes that follow the pending ones in the marking `next`.
-void ClassGraph::sendSuccessors(std::uint32_t signature, TransitionId transition) {
-  const std::uint32_t there = signatureOf(nextEnabled);
-  reached.clear();
-  for (auto domain : pending) {
-    const ZoneId after = domains.after(domain, signature, transition, there);
-    if (after != kNone) reached.push_back(after);
-  }
-  if (reached.empty()) return;
-  result.transitions += reached.size();
+void ClassGraph::sendSuccessors(TransitionId transition) {
+  nextEnabled = enabled;
+  enabling.update(transition, next.data(), nextEnabled);
+  const auto image = images.of(pending, {signature, transition, signatureOf(nextEnabled)});
+  if (image.fired == 0) return;
+  result.transitions += image.fired;
   const unsigned owner = ownerOf(next);
   auto& last = lastSent[owner];
   if (exchange->isNew(owner)) std::ranges::fill(last, 0);
   exchange->add(owner, [&](CheckpointWriter& record) {
     writeState(record, last.data(), next.data(), system.words);
     last = next;
-    record.number(reached.size());
-    for (auto domain : reached)
+    record.number(sets.sizeOf(image.domains));
+    sets.eachIn(image.domains, [&](ZoneId domain) {
       writeZone(record, domains.zones().dimension(domain), domains.zones().matrix(domain));
+    });
   });
 }
 
@@ -58,12 +56,14 @@ void ClassGraph::receiveRecord(CheckpointReader& records) {
     enabling.compute(received.data(), receivedEnabled);
     describe(receivedEnabled);
   }
+  SetId reached = NumberSets::kEmpty;
   for (auto left = records.number(); left > 0; --left) {
     const auto domain =
         readZone(records, static_cast<std::uint32_t>(system.transitions.size() + 1));
     assert(domain);
-    enter(id, domains.adopt(*domain));
+    reached = sets.unite(reached, sets.single(domains.adopt(*domain)));
   }
+  enter(id, reached);
 }
 
 /// Whether a rank has something to expand, and all are able to.

@@ -88,24 +88,77 @@ std::optional<SoughtRoot> StateTree::findRoot(const Word* state, Path& path) con
               [&](std::size_t node, std::uint64_t key) { return nodes[node].find(key); });
 }
 
+const std::vector<SoughtRoot>& StateTree::rootsOf(std::span<const Word> states, std::size_t stride,
+                                                  const Path& near) {
+  const std::size_t count = states.size() / stride;
+  group.keys.resize(count);
+  group.ids.resize(count * nodes.size());
+  const auto idsOf = [&](std::uint32_t node) { return &group.ids[node * count]; };
+  for (std::uint32_t i = 0; i < leaves; ++i) {
+    for (std::size_t k = 0; k < count; ++k) group.keys[k] = leaf(&states[k * stride], i);
+    addNodes(i, near);
+  }
+  for (std::size_t i = 0; i + 1 < joins.size(); ++i) {
+    const std::uint32_t* left = idsOf(joins[i].left);
+    const std::uint32_t* right = idsOf(joins[i].right);
+    for (std::size_t k = 0; k < count; ++k) group.keys[k] = std::uint64_t{left[k]} << 32 | right[k];
+    addNodes(leaves + i, near);
+  }
+  group.roots.resize(count);
+  for (std::size_t k = 0; k < count; ++k)
+    group.roots[k] = SoughtRoot({idsOf(joins.back().left)[k], idsOf(joins.back().right)[k]});
+  return group.roots;
+}
+
+/// Numbers a node of all states of the group. The processor loads what it needs for one while it
+/// looks at others.
+void StateTree::addNodes(std::size_t node, const Path& near) {
+  std::uint32_t* ids = &group.ids[node * group.keys.size()];
+  group.other.clear();
+  for (std::uint32_t k = 0; k < group.keys.size(); ++k) {
+    ids[k] = near.ids[node];
+    if (group.keys[k] == near.keys[node]) continue;
+    nodes[node].prefetch(group.keys[k]);
+    group.other.push_back(k);
+  }
+  for (auto k : group.other) ids[k] = nodes[node].add(group.keys[k]);
+}
+
 void StateTree::read(StateId id, Word* state) const {
   constexpr std::size_t kFew = 64;
   std::array<std::uint32_t, kFew> few{};
   std::vector<std::uint32_t> many(nodes.size() > kFew ? nodes.size() : 0);
-  std::uint32_t* ids = many.empty() ? few.data() : many.data();
+  std::uint32_t* numbers = many.empty() ? few.data() : many.data();
+  readNodes(id, numbers);
+  readWords(numbers, state);
+}
+
+void StateTree::read(StateId id, Word* state, Path& path) const {
+  path.keys.resize(nodes.size());
+  path.ids.resize(nodes.size());
+  readNodes(id, path.ids.data());
+  readWords(path.ids.data(), state);
+  for (std::size_t i = 0; i < nodes.size(); ++i) path.keys[i] = nodes[i].keys[path.ids[i]];
+}
+
+/// Finds the numbers of all nodes below the root.
+void StateTree::readNodes(StateId id, std::uint32_t* numbers) const {
   const Root root = roots.at(id);
-  ids[joins.back().left] = root.left;
-  ids[joins.back().right] = root.right;
+  numbers[joins.back().left] = root.left;
+  numbers[joins.back().right] = root.right;
   for (std::size_t i = joins.size() - 1; i-- > 0;) {
-    const std::uint64_t key = nodes[leaves + i].keys[ids[leaves + i]];
-    ids[joins[i].left] = static_cast<std::uint32_t>(key >> 32);
-    ids[joins[i].right] = static_cast<std::uint32_t>(key);
+    const std::uint64_t key = nodes[leaves + i].keys[numbers[leaves + i]];
+    numbers[joins[i].left] = static_cast<std::uint32_t>(key >> 32);
+    numbers[joins[i].right] = static_cast<std::uint32_t>(key);
   }
+}
+
+void StateTree::readWords(const std::uint32_t* numbers, Word* state) const {
   if (words == 1) {
-    state[0] = nodes[0].keys[ids[0]] | nodes[1].keys[ids[1]] << half;
+    state[0] = nodes[0].keys[numbers[0]] | nodes[1].keys[numbers[1]] << half;
     return;
   }
-  for (std::uint32_t i = 0; i < words; ++i) state[i] = nodes[i].keys[ids[i]];
+  for (std::uint32_t i = 0; i < words; ++i) state[i] = nodes[i].keys[numbers[i]];
 }
 
 std::uint64_t StateTree::bytes() const {

@@ -4,6 +4,7 @@
 #include "verify/state/store.h"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace proskill::verify {
@@ -31,12 +32,19 @@ public:
   /// The same without adding anything; nothing if the state is certainly not stored. Several
   /// threads may call this at once, with paths of their own.
   [[nodiscard]] std::optional<SoughtRoot> findRoot(const Word* state, Path& path) const;
+  /// The roots of states that differ little from another one, faster than one by one.
+  /// \param states one after the other, all their words
+  /// \param stride words of each
+  /// \param near the nodes of the other one, as read() returns them
+  [[nodiscard]] const std::vector<SoughtRoot>& rootsOf(std::span<const Word> states,
+                                                       std::size_t stride, const Path& near);
   using Added = RootTable::Added;
   Added add(const Word* state) { return roots.add(rootOf(state)); }
   /// The number of a state; kNone if it is not stored. Several threads may call this at once.
   [[nodiscard]] StateId find(const SoughtRoot& root) const { return roots.find(root); }
 
   void read(StateId id, Word* state) const;
+  void read(StateId id, Word* state, Path& nodes) const;
   [[nodiscard]] std::uint32_t size() const { return roots.size(); }
   [[nodiscard]] std::uint64_t bytes() const;
   /// Bytes that the next few steps may allocate at once.
@@ -59,12 +67,16 @@ private:
       return mix(mix(0, key), key >> 32);
     }
     std::uint32_t add(std::uint64_t key);
+    void prefetch(std::uint64_t key) const { table.prefetch(hash(key)); }
     [[nodiscard]] std::uint32_t find(std::uint64_t key) const;
   };
 
   template <class Number>
   std::optional<SoughtRoot> walk(const Word* state, Path& path, Number number) const;
   [[nodiscard]] std::uint64_t leaf(const Word* state, std::uint32_t i) const;
+  void addNodes(std::size_t node, const Path& near);
+  void readNodes(StateId id, std::uint32_t* numbers) const;
+  void readWords(const std::uint32_t* numbers, Word* state) const;
 
   std::uint32_t words;
   std::uint32_t half; ///< bits of the left part of a state that has one word only
@@ -72,6 +84,14 @@ private:
   std::vector<Join> joins;
   std::vector<Numbers> nodes; ///< of leaves, then of joins
   Path last;
+  /// States that are looked up together.
+  struct Group {
+    std::vector<std::uint32_t> ids;   ///< by node, then by state
+    std::vector<std::uint64_t> keys;  ///< by state: of the node that is looked up
+    std::vector<std::uint32_t> other; ///< states that differ in it
+    std::vector<SoughtRoot> roots;
+  };
+  Group group;
 };
 
 } // namespace proskill::verify

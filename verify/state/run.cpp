@@ -192,20 +192,19 @@ Outcome fireTold(const System& system, TransitionId id, Word* state, StepLog& lo
   return isSeen(system, transition, before.data(), state, happened) ? outcome : Outcome::GaveUp;
 }
 
-/// Whether a transition whose guard holds can be fired.
-bool canFire(const System& system, TransitionId id, Word* trial) {
-  const Transition& transition = system.transitions[id];
-  if (transition.seen.empty()) {
-    NoLog ignored;
-    return firePaths(system, transition, trial, ignored, NoListener{}) != Outcome::GaveUp;
-  }
-  StepLog log;
-  return fireTold(system, id, trial, log, NoListener{}) != Outcome::GaveUp;
-}
-
 } // namespace
 
 Outcome fire(const System& system, TransitionId id, Word* state, StepLog& log) {
+  return fireTold(system, id, state, log, NoListener{});
+}
+
+Outcome fire(const System& system, TransitionId id, Word* state) {
+  const Transition& transition = system.transitions[id];
+  if (transition.seen.empty()) {
+    NoLog ignored;
+    return firePaths(system, transition, state, ignored, NoListener{});
+  }
+  StepLog log;
   return fireTold(system, id, state, log, NoListener{});
 }
 
@@ -226,7 +225,7 @@ bool isEnabled(const System& system, TransitionId id, const Word* state) {
   std::vector<Word> many(system.words > kFew ? system.words : 0);
   Word* const trial = many.empty() ? few.data() : many.data();
   std::copy(state, state + system.words, trial);
-  return canFire(system, id, trial);
+  return fire(system, id, trial) != Outcome::GaveUp;
 }
 
 bool disturbs(const System& system, TransitionId fired, TransitionId other) {

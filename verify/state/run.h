@@ -44,7 +44,9 @@ public:
 /// undefined afterwards. \pre the guard holds
 [[nodiscard]] Outcome fire(const System& system, TransitionId transition, Word* state,
                            StepLog& log);
-/// The same; also notifies a listener of everything but the conditions of observers.
+/// The same without a log.
+[[nodiscard]] Outcome fire(const System& system, TransitionId transition, Word* state);
+/// The same as the first; also notifies a listener of everything but the conditions of observers.
 [[nodiscard]] Outcome fire(const System& system, TransitionId transition, Word* state, StepLog& log,
                            StepListener& listener);
 
