@@ -24,6 +24,9 @@ class World {
   runs = { begun: 0, ended: 0 };
   invalidated = 0;
   saved = 0;
+  /** in milliseconds */
+  now = 0;
+  typingUntil = 0;
 
   constructor(LiveResults, count = kProperties) {
     this.names = Array.from({ length: count }, (_, i) => `p${i}`);
@@ -33,11 +36,16 @@ class World {
       createTestRun: () => (++this.runs.begun, { end: () => ++this.runs.ended }),
       invalidateTestResults: () => ++this.invalidated,
     };
-    this.live = new LiveResults(controller, { get: () => this.program }, {
+    this.live = new LiveResults(controller, { get: () => this.program }, this, {
       itemsOf: () => new Map(this.names.map((name) => [name, { name }])),
       show: (run, items, verdicts) => this.batches.push(verdicts.map(({ name, verdict }) => `${name} ${verdict}`)),
       save: () => ++this.saved,
     });
+  }
+
+  /** Milliseconds until the user no longer counts as typing. */
+  get rest() {
+    return Math.max(Math.min(this.typingUntil, 1e9) - this.now, 0);
   }
 
   /** Verdicts as the server sends them; properties are good but those that are named. */
@@ -64,6 +72,7 @@ class World {
   /** Milliseconds, in steps in which promises go on. */
   async pass(milliseconds) {
     for (let passed = 0; passed < milliseconds; passed += 10) {
+      this.now += 10;
       mock.timers.tick(10);
       await Promise.resolve();
     }
@@ -126,6 +135,27 @@ const checks = {
     await world.pass(1000);
     equal('and no more', world.batches.flat().length, shown);
     equal('the others', (await world.verified(['p0'])).length, kProperties - shown + 1);
+  },
+
+  async 'many results wait until the user stops typing, and a few do not'(world) {
+    await world.verified();
+    world.typingUntil = Infinity;
+    equal('a few', await world.verified(['p1', 'p2']), ['p1 violated', 'p2 violated']);
+    world.typingUntil = world.now + 2000;
+    world.send(world.names.slice(0, 500), {});
+    await world.pass(1900);
+    equal('results while the user types', world.batches.length, 0);
+    await world.pass(3000);
+    equal('results', world.batches.flat().length, 498);
+    world.send([], {});
+    await world.pass(200);
+    world.typingUntil = world.now + 2000;
+    const shown = world.batches.flat().length;
+    await world.pass(1900);
+    equal('results after the first key', world.batches.flat().length, shown);
+    equal('runs that have not ended', world.runs.begun - world.runs.ended, 0);
+    await world.pass(5000);
+    equal('all of them', world.batches.flat().length, 500);
   },
 
   async 'VS Code forgets old runs, so all results are shown again in time'(LiveWorld) {

@@ -38,7 +38,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   const missions = new Missions(server, context);
   const imports = new Imports(server);
   context.subscriptions.push(
-    server, programs, typing, explanations, new Status(server, programs), new Testing(server, programs, context.workspaceState), fiacre, automaton, trace, simulations, debugging, missions, imports);
+    server, programs, typing, explanations, new Status(server, programs), new Testing(server, programs, typing, context.workspaceState), fiacre, automaton, trace, simulations, debugging, missions, imports);
 
   /** An error of a command is shown as a message, never as a stack trace. */
   const command = (name: string, action: (...args: unknown[]) => unknown): void => {

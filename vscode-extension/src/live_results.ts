@@ -2,6 +2,7 @@ import * as vscode from 'vscode';
 import type { Programs } from './programs';
 import type * as protocol from './protocol';
 import type { panel } from './protocol';
+import type { Typing } from './writing/typing';
 
 /** Results that are shown at once, and the pause after them, in milliseconds: VS Code draws its tree again for each of them. */
 const kAtOnce = 25;
@@ -41,6 +42,7 @@ class Shown {
 }
 
 const lookOf = ({ verdict, good, severity }: panel.Verdict): string => `${verdict} ${good} ${severity}`;
+const pause = (milliseconds: number): Promise<void> => new Promise((resolve) => setTimeout(resolve, milliseconds));
 const isCurrent = ({ state, stale }: protocol.Verdicts): boolean => (state === 'done' || state === 'checking') && !stale;
 
 /**
@@ -51,7 +53,12 @@ export class LiveResults implements vscode.Disposable {
   private readonly shown = new Map<string, Shown>();
   private runs = 0;
 
-  constructor(private readonly controller: vscode.TestController, private readonly programs: Programs, private readonly view: LiveView) {}
+  constructor(
+    private readonly controller: vscode.TestController,
+    private readonly programs: Programs,
+    private readonly typing: Pick<Typing, 'rest'>,
+    private readonly view: LiveView,
+  ) {}
 
   dispose(): void {
     for (const it of this.shown.values()) it.stopTimers();
@@ -122,19 +129,35 @@ export class LiveResults implements vscode.Disposable {
     const item = this.controller.items.get(name);
     if (!item) return;
     it.isTelling = true;
+    try {
+      for (let due = this.due(name); due.length; due = this.due(name)) {
+        if (this.waits(due)) await pause(this.typing.rest);
+        else await this.tellRun(item, name, it, due);
+      }
+    } finally {
+      it.isTelling = false;
+    }
+    this.renew();
+  }
+
+  /** Many results wait until the user stops typing. */
+  private waits(due: readonly panel.Verdict[]): boolean {
+    return due.length > kAtOnce && this.typing.rest > 0;
+  }
+
+  /** Shows verdicts until none is due, or the user types. */
+  private async tellRun(item: vscode.TestItem, name: string, it: Shown, first: readonly panel.Verdict[]): Promise<void> {
     if (!it.verdicts.size) it.since = this.runs;
     ++this.runs;
     const run = this.controller.createTestRun(new vscode.TestRunRequest([item], undefined, undefined, true, true), 'Live verification', false);
     try {
-      for (let due = this.due(name); due.length; due = this.due(name)) {
+      for (let due = first; due.length && !this.waits(due); due = this.due(name)) {
         this.tellSome(run, name, it, due.slice(0, kAtOnce));
-        if (due.length > kAtOnce) await new Promise((resolve) => setTimeout(resolve, kPause));
+        if (due.length > kAtOnce) await pause(kPause);
       }
     } finally {
       run.end();
-      it.isTelling = false;
     }
-    this.renew();
   }
 
   private tellSome(run: vscode.TestRun, name: string, it: Shown, verdicts: panel.Verdict[]): void {

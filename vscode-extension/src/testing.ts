@@ -7,6 +7,7 @@ import * as protocol from './protocol';
 import type { panel } from './protocol';
 import { Results } from './results';
 import { kStatements, marksStatements } from './settings';
+import type { Typing } from './writing/typing';
 
 type Node =
   | { kind: 'program'; program: string }
@@ -29,9 +30,9 @@ export class Testing implements vscode.Disposable {
   /** whose results of the previous session are shown */
   private readonly restored = new Set<string>();
 
-  constructor(private readonly client: Client, private readonly programs: Programs, memory: vscode.Memento) {
+  constructor(private readonly client: Client, private readonly programs: Programs, typing: Typing, memory: vscode.Memento) {
     this.results = new Results(memory);
-    this.live = new LiveResults(this.controller, programs, {
+    this.live = new LiveResults(this.controller, programs, typing, {
       itemsOf: (program) => this.itemsOf(program),
       show: (run, items, verdicts, seconds) => this.tell(run, items, verdicts, seconds, false),
       save: ({ program, verdicts, texts, exploration }) => void this.results.save(program, verdicts, texts, exploration?.seconds ?? 0),

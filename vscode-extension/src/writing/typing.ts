@@ -13,7 +13,12 @@ export class Typing implements vscode.Disposable {
   constructor(private readonly now: () => number = Date.now) {}
 
   get goesOn(): boolean {
-    return this.now() - this.last < kQuiet;
+    return this.rest > 0;
+  }
+
+  /** Milliseconds until the user no longer counts as typing. */
+  get rest(): number {
+    return Math.max(this.last + kQuiet - this.now(), 0);
   }
 
   dispose(): void {
