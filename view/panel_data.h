@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -26,6 +27,11 @@ public:
   /// and with further data for the panel.
   [[nodiscard]] virtual OrderedJson program() = 0;
   [[nodiscard]] virtual Answer trace(const std::string& name) = 0;
+  /// Another part of a long recording. \param from in seconds since the start of the run; nullopt:
+  /// its last part
+  [[nodiscard]] virtual Answer part(std::optional<double> /*from*/) {
+    return std::unexpected("this is not a recording of which a part is shown");
+  }
   [[nodiscard]] virtual Answer picture(const PictureParams& params) = 0;
   [[nodiscard]] virtual Answer source(const std::string& uri) = 0;
   /// A run with these steps, in the format of report/simulation_json.h.
@@ -92,8 +98,12 @@ struct ViewOptions {
 /// A program that is verified in the background, and again whenever one of its files changes.
 [[nodiscard]] std::unique_ptr<PanelData> liveProgram(ViewOptions options, EventFeed& news);
 
-/// A report or a trace saved in a file.
+/// Reads a part of a recording as a trace in JSON. \param from in seconds since the start of the
+/// run; nullopt: its last part
+using ReadPart = std::function<std::expected<std::string, std::string>(std::optional<double> from)>;
+
+/// A report or a trace saved in a file. \param readPart for a recording of which the text is a part
 [[nodiscard]] std::expected<std::unique_ptr<PanelData>, std::string>
-savedReport(const std::string& file, const std::string& text);
+savedReport(const std::string& file, const std::string& text, ReadPart readPart = {});
 
 } // namespace proskill::view

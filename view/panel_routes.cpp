@@ -57,6 +57,13 @@ bool isFromHere(const HttpRequest& request, std::uint16_t port) {
   return origin.empty() || (origin.starts_with(scheme) && isOurs(origin.substr(scheme.size())));
 }
 
+/// The beginning of the part of a recording; nullopt: the last part.
+std::optional<double> secondsFrom(const OrderedJson& params) {
+  const auto from = params.find("from");
+  if (from == params.end() || !from->is_number()) return std::nullopt;
+  return from->get<double>();
+}
+
 PanelData::Answer call(std::string_view method, const OrderedJson& params, PanelData& data) {
   const auto text = [&](const char* name) { return params.value(name, std::string()); };
   if (method == "hello")
@@ -72,6 +79,7 @@ PanelData::Answer call(std::string_view method, const OrderedJson& params, Panel
                        {"program", data.program()},
                        {"run", data.run()}};
   if (method == "trace") return data.trace(text("name"));
+  if (method == "part") return data.part(secondsFrom(params));
   if (method == "source") return data.source(text("uri"));
   if (method == "simulate") return data.simulate(params);
   if (method == "steps") return data.steps(params);

@@ -4,6 +4,7 @@
 #include "view/panel_data.h"
 
 #include <algorithm>
+#include <mutex>
 #include <set>
 #include <utility>
 
@@ -49,9 +50,11 @@ OrderedJson asReport(const std::string& file, OrderedJson trace) {
 
 class SavedReport : public PanelData {
 public:
-  SavedReport(const std::string& file, OrderedJson saved) : report(std::move(saved)) {
+  SavedReport(std::string ofFile, OrderedJson saved, ReadPart read)
+      : file(std::move(ofFile)), report(std::move(saved)), readPart(std::move(read)) {
     const auto label = std::filesystem::path(file).filename().generic_string();
-    for (auto& property : report["properties"]) takeTrace(property);
+    for (auto& property : report["properties"])
+      if (auto trace = takeTrace(property)) traces[property.value("name", "")] = std::move(*trace);
     OrderedJson list = OrderedJson::array();
     for (const auto& path : files)
       list.push_back(
@@ -73,13 +76,25 @@ public:
     return found->second;
   }
 
+  Answer part(std::optional<double> from) override {
+    if (!readPart) return PanelData::part(from);
+    const auto text = readPart(from);
+    if (!text) return std::unexpected(text.error());
+    auto trace = parsedJson(*text);
+    if (!trace.is_object()) return std::unexpected("this part is damaged");
+    auto property = asReport(file, std::move(trace))["properties"][0];
+    auto taken = takeTrace(property);
+    if (!taken) return std::unexpected("this part has no steps");
+    return std::move(*taken);
+  }
+
   Answer picture(const PictureParams&) override {
     return std::unexpected("pictures need the program: open it instead");
   }
 
   /// Serves only files that occur in the traces.
   Answer source(const std::string& uri) override {
-    if (!files.contains(uri)) return std::unexpected("the traces do not refer to this file");
+    if (!isOfTrace(uri)) return std::unexpected("the traces do not refer to this file");
     auto text = disk::DiskFileSystem().read(uri);
     if (!text) return std::unexpected(uri + " cannot be read: " + text.error());
     return OrderedJson{{"uri", uri}, {"text", std::move(*text)}};
@@ -94,12 +109,29 @@ public:
   [[nodiscard]] bool canVerify() const override { return false; }
 
 private:
-  void takeTrace(OrderedJson& property) {
+  /// Removes the trace from a property, if it has one.
+  std::optional<OrderedJson> takeTrace(OrderedJson& property) {
     const auto trace = std::exchange(property["trace"], nullptr);
     property["steps"] = nullptr; // the report may be without this trace
-    if (!trace.is_object() || !trace.at("steps").is_array()) return;
+    if (!trace.is_object() || !trace.at("steps").is_array()) return std::nullopt;
     property["steps"] = trace["steps"].size();
-    for (const auto& step : trace["steps"]) {
+    noteFiles(trace["steps"]);
+    const auto name = property.value("name", "");
+    OrderedJson about{{"name", name},
+                      {"description", property.value("description", name)},
+                      {"verdict", property["verdict"]}};
+    about.update(trace);
+    return std::optional<OrderedJson>(std::in_place, std::move(about));
+  }
+
+  bool isOfTrace(const std::string& uri) {
+    const std::lock_guard lock(mutex);
+    return files.contains(uri);
+  }
+
+  void noteFiles(const OrderedJson& steps) {
+    const std::lock_guard lock(mutex);
+    for (const auto& step : steps) {
       const auto location = step.find("location");
       if (location == step.end() || !location->is_object()) continue;
       // files saved by the panel have places in the form of editors
@@ -107,23 +139,20 @@ private:
         if (const auto path = location->find(member); path != location->end() && path->is_string())
           files.insert(path->get<std::string>());
     }
-    const auto name = property.value("name", "");
-    OrderedJson about{{"name", name},
-                      {"description", property.value("description", name)},
-                      {"verdict", property["verdict"]}};
-    about.update(trace);
-    traces[name] = std::move(about);
   }
 
+  std::string file;
   OrderedJson report;
   std::map<std::string, OrderedJson> traces;
-  std::set<std::string> files;
+  ReadPart readPart; ///< may be empty
+  std::mutex mutex;
+  std::set<std::string> files; ///< under `mutex`
 };
 
 } // namespace
 
-std::expected<std::unique_ptr<PanelData>, std::string> savedReport(const std::string& file,
-                                                                   const std::string& text) {
+std::expected<std::unique_ptr<PanelData>, std::string>
+savedReport(const std::string& file, const std::string& text, ReadPart readPart) {
   auto json = parsedJson(text);
   if (json.is_discarded()) json = parsedJson(report::completed(text));
   if (json.is_discarded()) return std::unexpected("`" + file + "` is not valid JSON");
@@ -133,8 +162,8 @@ std::expected<std::unique_ptr<PanelData>, std::string> savedReport(const std::st
   if (!isTrace && !isReport)
     return std::unexpected("`" + file + "` is neither a report nor a trace of `proskill verify`");
   try {
-    return std::make_unique<SavedReport>(file, isTrace ? asReport(file, std::move(json))
-                                                       : std::move(json));
+    return std::make_unique<SavedReport>(
+        file, isTrace ? asReport(file, std::move(json)) : std::move(json), std::move(readPart));
   } catch (const OrderedJson::exception&) {
     return std::unexpected("`" + file + "` is not a report of `proskill verify`");
   }

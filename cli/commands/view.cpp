@@ -41,25 +41,41 @@ bool isRecorded(const std::filesystem::path& path, const std::string& text) {
   return first != std::string::npos && text[first] == '{';
 }
 
-/// The trace of a part of the file, if it is an MCAP file.
+/// The trace of a part of the file, if it is an MCAP file. \param from as of `report::PartOfRun`
 std::optional<std::expected<report::TraceOfPart, std::string>>
-partOfRecording(const ViewArguments& arguments) {
-  const auto file = disk::LargeFile::open(arguments.file);
+partOfRecording(const std::string& path, std::optional<double> from) {
+  const auto file = disk::LargeFile::open(path);
   if (!file) return std::nullopt;
   const report::mcap::File recording{file->size(), file->reader()};
   if (!recording.isMcap()) return std::nullopt;
   report::PartOfRun part;
-  if (arguments.from)
-    part.from = static_cast<double>(*arguments.from) / static_cast<double>(runtime::kSecond);
+  part.from = from;
   return traceOfPart(recording, part);
+}
+
+std::expected<std::unique_ptr<view::PanelData>, std::string>
+recordedRun(const std::string& file, const report::TraceOfPart& part) {
+  if (part.isWhole) return view::savedReport(file, part.text);
+  return view::savedReport(file, part.text,
+                           [file](auto from) -> std::expected<std::string, std::string> {
+                             auto other = partOfRecording(file, from);
+                             if (!other) return std::unexpected("it is no longer a recording");
+                             if (!*other) return std::unexpected((*other).error());
+                             return std::move((*other)->text);
+                           });
+}
+
+std::optional<double> startOf(const ViewArguments& arguments) {
+  if (!arguments.from) return std::nullopt;
+  return static_cast<double>(*arguments.from) / static_cast<double>(runtime::kSecond);
 }
 
 std::expected<std::unique_ptr<view::PanelData>, std::string> dataOf(const ViewArguments& arguments,
                                                                     view::EventFeed& news) {
   const std::filesystem::path path(arguments.file);
-  if (const auto part = partOfRecording(arguments)) {
+  if (const auto part = partOfRecording(arguments.file, startOf(arguments))) {
     if (!*part) return std::unexpected("`" + arguments.file + "`: " + part->error());
-    return view::savedReport(arguments.file, (*part)->text);
+    return recordedRun(arguments.file, **part);
   }
   const auto text = disk::DiskFileSystem().read(path);
   if (!text) return std::unexpected("cannot read `" + arguments.file + "`: " + text.error());

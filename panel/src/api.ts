@@ -86,6 +86,15 @@ export interface Trace {
   /** The steps from this one on are repeated for ever. */
   loop?: number | null;
   stale?: boolean;
+  /** of a longer recording: which part it is */
+  part?: PartOfRun;
+}
+/** In seconds since the start of the run. */
+export interface PartOfRun {
+  begin: number;
+  end: number;
+  /** of the recorded run */
+  length: number;
 }
 
 export type VerdictWord = 'holds' | 'violated' | 'reachable' | 'unreachable' | 'inconclusive';
@@ -257,6 +266,8 @@ export interface Requests {
   /** Sent once, when the panel has started. */
   hello: [Record<string, never>, Hello];
   trace: [{ name: string }, Trace];
+  /** Another part of a recording, from a time on; without one, its last. */
+  part: [{ name: string; from?: number }, Trace];
   picture: [PictureParams, Picture];
   source: [{ uri: string }, { uri: string; text: string }];
   save: [{ name: string; type: string; text?: string; base64?: string }, { saved: boolean }];

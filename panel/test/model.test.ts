@@ -10,6 +10,7 @@ import { highlight } from '../src/model/highlight.ts';
 import { axisOf, drawBars, drawMarks, endOfAxis, lanesOf, nearest } from '../src/model/lanes.ts';
 import { open } from '../src/model/parse.ts';
 import { continuation, tellsTheSame } from '../src/model/renew.ts';
+import { badTimes, clockTime, fractions, positionAt } from '../src/model/seek.ts';
 import { ticks, windowOf } from '../src/model/time.ts';
 import { Values } from '../src/model/values.ts';
 import { changesSince, withChanges } from '../src/model/verdict_changes.ts';
@@ -345,4 +346,25 @@ test('changes of verdicts are found by reference, and give the same list again',
   assert.equal(changesSince(known, now.slice(1)), null);
   assert.equal(changesSince(known, [now[1]!, known[0]!, known[2]!]), null);
   assert.equal(changesSince(undefined, now), null);
+});
+
+test('a time of a run is that of the last step that has happened, among those that are shown', () => {
+  const times = trace({}, [0, 1, 1, 2.5, 4].map((seconds) => `a: waits @${seconds}`));
+  const all = [0, 1, 2, 3, 4];
+  assert.deepEqual([-1, 0, 0.5, 1, 2.4, 2.5, 9].map((time) => positionAt(times, all, time)), [0, 0, 0, 2, 2, 3, 4]);
+  assert.deepEqual([0.5, 1, 3].map((time) => positionAt(times, [1, 3], time)), [0, 0, 1]);
+  assert.equal(positionAt(times, [], 1), -1);
+});
+
+test('what went wrong is marked on the bar, and marks that would be in one place are one', () => {
+  const remarks = ['fault', 'note', 'violated', 'overshoot'];
+  const run = trace({}, [1, 2, 3, 3.001].map((seconds) => `a: has a remark @${seconds}`));
+  run.steps = run.steps.map((it, index) => ({ ...it, remark: remarks[index]! }));
+  assert.deepEqual(badTimes(run), [1, 3, 3.001]);
+  assert.deepEqual(fractions(badTimes(run), { from: 0, to: 4 }, 100), [0.25, 0.75]);
+  assert.deepEqual(fractions([2], { from: 2, to: 2 }, 100), [0]);
+});
+
+test('times of a run are words that people read', () => {
+  assert.deepEqual([0, 12.3456, 99.9, 100, 754.56, 3599.96, 3600, 43261.9].map(clockTime), ['0 s', '12.346 s', '99.9 s', '1:40.0', '12:34.5', '59:59.9', '1:00:00', '12:01:01']);
 });

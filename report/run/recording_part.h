@@ -14,7 +14,8 @@ struct PartOfRun {
   std::uint64_t bytes = std::uint64_t{16} << 20; ///< of the recording, about
 };
 
-/// A part of a recording as a trace in JSON, whose description says which part it is.
+/// A part of a recording as a trace in JSON. Unless it is the whole run, its description and its
+/// member `part` (`begin`, `end`, `length`) say which part it is.
 struct TraceOfPart {
   std::string text;
   double begin = 0; ///< in seconds since the start of the run

@@ -11,7 +11,7 @@ export function programOf(value: unknown): Program {
 /** An answer of the server, in the form of api.ts. */
 export function convert(method: Method, result: unknown): unknown {
   if (method === 'picture') return pictureOf(result as Picture);
-  if (method === 'trace') return traceOf(result as { [key: string]: unknown });
+  if (method === 'trace' || method === 'part') return traceOf(result as { [key: string]: unknown });
   if (method === 'simulate') return simulationOf(result as Simulation);
   if (method === 'steps') return { ...(result as RunSteps), steps: (result as RunSteps).steps.map(stepOf) };
   if (method !== 'hello') return result;

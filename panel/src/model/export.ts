@@ -2,8 +2,8 @@ import type { Trace } from '../api.ts';
 import { isRelevant, marksRelevance } from './filter.ts';
 import { windowOf } from './time.ts';
 
-/** The form that `open` reads. */
-export function traceJson(trace: Trace): string {
+/** The form that `open` reads. A part of a recording becomes a trace of its own, since the recording may be elsewhere. */
+export function traceJson({ part: _, ...trace }: Trace): string {
   return JSON.stringify({ version: 1, ...trace }, null, 2) + '\n';
 }
 

@@ -109,9 +109,9 @@ export function axisOf(trace: Trace, by: 'date' | 'step'): Float64Array {
 }
 
 /** The end of the axis, with space after it to show what the last step did. */
-export function endOfAxis(axis: Float64Array, by: 'date' | 'step'): number {
+export function endOfAxis(axis: Float64Array, by: 'date' | 'step', begin = 0): number {
   const last = axis.at(-1) ?? 0;
-  return Math.max(by === 'date' ? last * 1.05 : last + 1, 1e-9);
+  return Math.max(by === 'date' ? begin + (last - begin) * 1.05 : last + 1, begin + 1e-9);
 }
 
 export interface Drawn {

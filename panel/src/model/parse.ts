@@ -44,6 +44,7 @@ export function traceOf(value: Json, about: Json = value): Trace {
   if (Array.isArray(value['actors'])) trace.actors = value['actors'] as NonNullable<Trace['actors']>;
   if (typeof value['summary'] === 'string') trace.summary = value['summary'];
   if (typeof value['loop'] === 'number') trace.loop = value['loop'];
+  if (isObject(value['part'])) trace.part = value['part'] as unknown as NonNullable<Trace['part']>;
   return trace;
 }
 

@@ -61,7 +61,7 @@ export class LanesView {
 
   /** Shows another trace; the visible section stays, unless all of the former was visible. */
   renew(trace: Trace): void {
-    const wasFitted = this.view[0] === 0 && this.view[1] === this.end;
+    const wasFitted = this.isFitted;
     this.take(trace);
     if (wasFitted || this.view[1] > this.end) this.fit();
     else this.draw();
@@ -80,7 +80,7 @@ export class LanesView {
   tick(now: number, reveal: boolean): void {
     if (now === this.now) return;
     const [from, to] = this.view;
-    const wasFitted = from === 0 && to === this.end;
+    const wasFitted = this.isFitted;
     this.now = now;
     if (this.byStep.on || !this.trace) return;
     if (wasFitted || to > this.end) this.fit();
@@ -123,8 +123,13 @@ export class LanesView {
     return axisOf(this.trace!, this.byStep.on ? 'step' : 'date');
   }
 
+  /** Of a part of a recording, the beginning; otherwise that of the run. */
+  private get begin(): number {
+    return this.byStep.on ? 0 : (this.trace?.part?.begin ?? 0);
+  }
+
   private get end(): number {
-    const end = endOfAxis(this.axis, this.byStep.on ? 'step' : 'date');
+    const end = endOfAxis(this.axis, this.byStep.on ? 'step' : 'date', this.begin);
     return this.byStep.on || this.now === null ? end : Math.max(end, this.now * 1.05, 1);
   }
 
@@ -134,15 +139,20 @@ export class LanesView {
   }
 
   private fit(): void {
-    this.view = [0, this.end];
+    this.view = [this.begin, this.end];
     this.draw();
+  }
+
+  private get isFitted(): boolean {
+    return this.view[0] === this.begin && this.view[1] === this.end;
   }
 
   /** Zooms around the current step, or a position on the axis. */
   private zoom(factor: number, around = this.axis[this.current] ?? (this.view[0] + this.view[1]) / 2): void {
     const [from, to] = this.view;
-    const least = this.end / Math.max(50, this.axis.length * 2);
-    const span = Math.min(Math.max((to - from) / factor, least), this.end);
+    const whole = this.end - this.begin;
+    const least = whole / Math.max(50, this.axis.length * 2);
+    const span = Math.min(Math.max((to - from) / factor, least), whole);
     const left = around - ((around - from) / (to - from)) * span;
     this.view = [left, left + span];
     this.move(0);
@@ -150,7 +160,7 @@ export class LanesView {
 
   private move(by: number): void {
     const span = this.view[1] - this.view[0];
-    const from = Math.min(Math.max(this.view[0] + by, 0), this.end - span);
+    const from = Math.min(Math.max(this.view[0] + by, this.begin), this.end - span);
     this.view = [from, from + span];
     this.draw();
   }

@@ -1,17 +1,18 @@
 import type { Host, Trace, Verdict } from '../api.ts';
 import type { ActorColours } from '../model/colours.ts';
-import { compare, isDifferent, type Pair } from '../model/compare.ts';
 import { search, select, marksRelevance } from '../model/filter.ts';
+import { positionAt } from '../model/seek.ts';
 import { continuation, tellsTheSame } from '../model/renew.ts';
 import { Values } from '../model/values.ts';
 import { watched, WatchError, watchOf, type Watch } from '../model/watch.ts';
-import { comparisonBar } from './comparison_bar.ts';
+import { ComparisonBar } from './comparison_bar.ts';
 import { h, isTyping, plural, prose } from './dom.ts';
 import { filterSections, noFilter } from './filter_menu.ts';
 import { button, enable, icon, toggle } from './icons.ts';
 import { LanesView } from './lanes_view.ts';
 import { menu, type Section } from './menu.ts';
 import type { Saver } from './save.ts';
+import { SeekBar } from './seek_bar.ts';
 import { splitter } from './splitter.ts';
 import { StepList } from './step_list.ts';
 import { exportSections } from './trace_export.ts';
@@ -38,7 +39,8 @@ export class TraceView {
   private readonly count = h('span', { class: 'count', 'aria-live': 'polite' });
   private readonly field: HTMLInputElement;
   private readonly nothing = h('p', { class: 'nothing', hidden: true }, 'No step passes the filter.');
-  private readonly comparing = h('div', { class: 'comparing', hidden: true });
+  private readonly comparison: ComparisonBar;
+  private readonly seek: SeekBar;
   private readonly follow;
   private readonly grouped;
   private readonly relevant;
@@ -46,9 +48,7 @@ export class TraceView {
   private filter = noFilter();
   private shown: number[] = [];
   private found: number[] = [];
-  private compared: { other: Trace; pairs: Pair[] } | null = null;
   private valuesOf = new Values({ name: '', description: '', verdict: '', initial: {}, steps: [] });
-  private others: Verdict[] = [];
   /** the original, and the same with all watches that it supports */
   private given: Trace | null = null;
   trace: Trace | null = null;
@@ -57,6 +57,8 @@ export class TraceView {
   /** what was shown of the property before it lost its trace */
   private former: { trace: Trace; index: number } | null = null;
   private gone = false;
+  /** counts requested parts of recordings: only the last one is shown */
+  private askedParts = 0;
   private readonly nothingOpen: Node[];
   /** the current property, with or without a trace; null: none was chosen yet */
   name: string | null = null;
@@ -69,6 +71,8 @@ export class TraceView {
       watch: (text) => this.watch(text), unwatch: (text) => this.setWatches(this.watchTexts.filter((it) => it !== text)),
     });
     this.lanes = new LanesView({ select: (index) => this.goTo(index) }, colours);
+    this.seek = new SeekBar({ select: (index) => this.goTo(index), move: (by) => this.list.move(by), load: (time) => void this.loadPart(time) });
+    this.comparison = new ComparisonBar({ changed: () => this.refresh(), move: (by) => this.toDifference(by), fetch: (name) => host.request('trace', { name }) });
     this.field = h('input', {
       type: 'search', class: 'search', placeholder: 'Search steps', 'aria-label': 'Search steps: actors, words and values',
       oninput: () => this.searchFor(this.field.value), onkeydown: (event: KeyboardEvent) => this.searchKey(event),
@@ -82,7 +86,7 @@ export class TraceView {
     };
     const upper = h('div', { class: 'trace-upper' }, h('div', { class: 'steps-frame' }, this.nothing, this.list.element), this.values.element);
     upper.insertBefore(splitter('vertical', this.values.element, 'values'), this.values.element);
-    this.body = h('div', { class: 'trace-body', hidden: true }, ...this.head.elements, this.toolbar(), this.comparing, upper,
+    this.body = h('div', { class: 'trace-body', hidden: true }, ...this.head.elements, this.toolbar(), this.seek.element, this.comparison.element, upper,
       splitter('horizontal', this.lanes.element, 'lanes'), this.lanes.element);
     this.nothingOpen = [h('p', {}, 'No trace is open.'),
       h('p', { class: 'faint' }, 'Choose a property that has one, or open a file with a trace.'),
@@ -94,7 +98,7 @@ export class TraceView {
 
   /** Traces to compare with. */
   setOthers(verdicts: Verdict[]): void {
-    this.others = verdicts.filter((verdict) => verdict.steps !== null);
+    this.comparison.setOthers(verdicts);
   }
 
   pin(names: readonly string[]): void {
@@ -150,7 +154,7 @@ export class TraceView {
     this.ask();
     this.filter = noFilter();
     this.relevant.set(false);
-    this.compared = null;
+    this.comparison.end();
     this.field.value = '';
     this.found = [];
     this.current = Math.min(Math.max(step, 0), trace.steps.length - 1);
@@ -162,6 +166,27 @@ export class TraceView {
     this.list.select(this.current);
     this.head.say('');
     this.moveTo(this.current, byUser);
+  }
+
+  /** Shows another part of the recording, at a time; by default at its end. Filter and search stay. */
+  private async loadPart(time?: number): Promise<void> {
+    const former = this.given!;
+    const request = ++this.askedParts;
+    try {
+      const part = await this.host.request('part', { name: former.name, ...(time !== undefined && { from: time }) });
+      if (this.given !== former || request !== this.askedParts) return; // something else is to be shown by now
+      this.given = part;
+      this.ask();
+      this.found = search(part, this.field.value);
+      this.drawHead();
+      this.lanes.show(this.trace!);
+      const all = part.steps.map((_, index) => index);
+      const step = time === undefined ? all.length - 1 : time === 0 ? 0 : positionAt(part, all, time);
+      this.refresh(step);
+      this.goTo(step);
+    } catch (error) {
+      this.head.say((error as Error).message);
+    }
   }
 
   /**
@@ -179,7 +204,7 @@ export class TraceView {
     this.ask();
     const names = new Set([...this.watches.map(({ text }) => text), ...Object.keys(trace.initial)]);
     this.filter.variables = new Set([...this.filter.variables].filter((name) => names.has(name)));
-    if (this.compared) this.compared = { other: this.compared.other, pairs: compare(trace, this.compared.other) };
+    this.comparison.renew(trace);
     this.found = search(trace, this.field.value);
     this.empty.hidden = true;
     this.body.hidden = false;
@@ -211,6 +236,7 @@ export class TraceView {
   /** The time of a run that is watched. `reveal`: the lanes go with it. */
   tick(now: number, reveal: boolean): void {
     this.lanes.tick(now, reveal);
+    this.seek.tick(now);
   }
 
   /** The property now has a verdict without a trace: shows the former trace as outdated. */
@@ -252,7 +278,7 @@ export class TraceView {
       h('label', { class: 'search-frame' }, icon('search'), this.field),
       menu({ icon: 'filter', title: 'Filter', content: () => this.filterSections() }), this.relevant.element, this.grouped.element,
       h('span', { class: 'push' }),
-      menu({ icon: 'compare', title: 'Compare with another trace', content: () => this.compareSections() }),
+      menu({ icon: 'compare', title: 'Compare with another trace', content: () => this.comparison.sections(this.given!) }),
       menu({ icon: 'download', title: 'Export', content: () => exportSections(this.given!, this.lanes, this.element, this.saver) }),
       button({ icon: 'open', title: 'Open a trace from a file', onclick: () => this.events.openFile() }));
   }
@@ -267,36 +293,8 @@ export class TraceView {
     this.refresh();
   }
 
-  private compareSections(): Section[] {
-    const others = this.others.filter((verdict) => verdict.name !== this.trace!.name);
-    const items = others.map((verdict) => ({ label: verdict.description.replaceAll('`', ''), hint: plural(verdict.steps ?? 0, 'step'), choose: () => void this.compareWith(verdict.name) }));
-    return [{ title: items.length > 0 ? 'Compare with the trace of' : 'No other property has a trace', items }];
-  }
-
-  private async compareWith(name: string): Promise<void> {
-    this.setComparison(await this.host.request('trace', { name }));
-  }
-
-  private setComparison(other: Trace | null): void {
-    this.compared = other && { other, pairs: compare(this.given!, other) };
-    this.comparing.hidden = !other;
-    if (other) {
-      this.comparing.replaceChildren(...comparisonBar(other, this.compared!.pairs, (by) => this.toDifference(by), () => this.setComparison(null)));
-    }
-    this.refresh();
-  }
-
-  /** Moves to the next step that only this trace has, or where the other has additional steps. */
   private toDifference(direction: 1 | -1): void {
-    const { pairs } = this.compared!;
-    const marked = new Set<number>();
-    let last = 0;
-    for (const pair of pairs) {
-      if (isDifferent(pair)) marked.add(pair.left ?? last);
-      last = pair.left ?? last;
-    }
-    const sorted = [...marked].sort((a, b) => a - b);
-    const to = direction > 0 ? sorted.find((index) => index > this.current) : sorted.findLast((index) => index < this.current);
+    const to = this.comparison.difference(this.current, direction);
     if (to !== undefined) this.goTo(to);
   }
 
@@ -305,12 +303,12 @@ export class TraceView {
     const trace = this.trace!;
     this.shown = select(trace, this.filter);
     this.nothing.hidden = this.shown.length > 0;
-    this.comparing.hidden = !this.compared;
-    const list = { trace, steps: this.shown, grouped: this.grouped.on, found: new Set(this.found), ...(this.compared && { compared: this.compared }) };
+    const list = { trace, steps: this.shown, grouped: this.grouped.on, found: new Set(this.found), ...(this.comparison.compared && { compared: this.comparison.compared }) };
     if (renewed === undefined) this.list.show(list);
     else if (renewed === 'grown') this.list.grow(list);
     else this.list.renew(list, renewed);
     this.lanes.filter(this.filter.actors, this.filter.variables);
+    this.seek.show(trace, this.shown, this.current);
     this.update();
   }
 
@@ -338,6 +336,7 @@ export class TraceView {
     const step = trace.steps[index];
     this.current = index;
     this.lanes.select(index, byUser);
+    this.seek.select(index);
     this.update();
     if (!step) return this.host.tell('step', null);
     this.host.tell('step', { trace: trace.name, index, count: trace.steps.length, step, values: this.valuesNow(), byUser });
@@ -389,8 +388,8 @@ export class TraceView {
   private key(event: KeyboardEvent): void {
     if (isTyping(event) || event.ctrlKey || event.metaKey || event.altKey || !this.trace) return;
     if (event.key === '/') this.field.focus();
-    else if (event.key === 'n') this.compared ? this.toDifference(1) : this.toFound(1);
-    else if (event.key === 'N') this.compared ? this.toDifference(-1) : this.toFound(-1);
+    else if (event.key === 'n') this.comparison.compared ? this.toDifference(1) : this.toFound(1);
+    else if (event.key === 'N') this.comparison.compared ? this.toDifference(-1) : this.toFound(-1);
     else if (event.key === 'f') this.follow.element.click();
     else if (event.key === 'm') this.relevant.element.click();
     else return;
