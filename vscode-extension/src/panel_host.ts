@@ -6,6 +6,7 @@ import { bringIntoView, goTo } from './places';
 import type { Programs } from './programs';
 import * as protocol from './protocol';
 import { save } from './save';
+import { readPart } from './trace/trace_file';
 import type { panel } from './protocol';
 import type { Typing } from './writing/typing';
 
@@ -15,6 +16,9 @@ export type Layout = 'trace' | 'automaton' | 'simulation';
 export interface SavedPanel {
   uri: string;
   remembered?: panel.Remembered;
+  /** of the trace, and the time of its part */
+  file?: string;
+  from?: number;
 }
 export const savedPanel = (memory: vscode.Memento, layout: Layout): SavedPanel | undefined => memory.get(`panel.${layout}`);
 
@@ -34,6 +38,9 @@ export class PanelHost implements vscode.Disposable {
   /** that the page has */
   private toldVerdicts: panel.Verdict[] | undefined;
   private pictures: panel.PictureName[] = [];
+  /** where the trace comes from that is shown, unless from the program */
+  private file: vscode.Uri | undefined;
+  private from: number | undefined;
 
   /** `uri`: any file of the program; `show` may become known while the page loads. */
   constructor(
@@ -71,9 +78,21 @@ export class PanelHost implements vscode.Disposable {
   }
 
   /** Shows something else; before the panel is ready, it becomes what is shown first. */
-  showIt(show: panel.Show): void {
+  showIt(show: panel.Show, file?: vscode.Uri): void {
+    if (file || show.trace) this.comesFrom(file);
     this.show = show;
     this.tell('show', show);
+  }
+
+  /** The file of the trace that is shown: it is read again after a reload of the window. */
+  comesFrom(file: vscode.Uri | undefined, from?: number): void {
+    [this.file, this.from] = [file, from];
+    this.save();
+  }
+
+  private save(): void {
+    const { file, from, remembered } = this;
+    void this.context.workspaceState.update(`panel.${this.layout}`, { uri: this.uri.toString(), ...(remembered && { remembered }), ...(file && { file: file.toString() }), ...(from !== undefined && { from }) } satisfies SavedPanel);
   }
 
   tell<M extends keyof panel.News>(method: M, params: panel.News[M]): void {
@@ -106,7 +125,7 @@ export class PanelHost implements vscode.Disposable {
     if (method === 'step') this.steps.fire(params as panel.Told['step']);
     if (method === 'remember') {
       this.remembered = params as panel.Remembered;
-      void this.context.workspaceState.update(`panel.${this.layout}`, { uri: this.uri.toString(), remembered: this.remembered } satisfies SavedPanel);
+      this.save();
     }
   }
 
@@ -120,6 +139,7 @@ export class PanelHost implements vscode.Disposable {
     switch (method) {
       case 'hello': return this.hello();
       case 'trace': return this.trace(params);
+      case 'part': return this.part(params);
       case 'picture': return this.picture(params);
       case 'simulate': return this.client.running.sendRequest(protocol.simulate, { textDocument: { uri: this.uri.toString() }, ...(params as panel.ChosenRun) });
       case 'save': return save(params);
@@ -145,6 +165,13 @@ export class PanelHost implements vscode.Disposable {
 
   private trace({ name }: { name: string }): Promise<panel.Trace> {
     return this.client.running.sendRequest(protocol.trace, { textDocument: { uri: this.uri.toString() }, name });
+  }
+
+  private async part({ from }: { from?: number }): Promise<panel.Trace> {
+    if (!this.file) throw new Error('The recording is not known any more.');
+    const { trace } = await readPart(this.client, this.file, from);
+    this.comesFrom(this.file, from);
+    return trace;
   }
 
   private async picture(params: panel.PictureParams): Promise<protocol.Automaton> {

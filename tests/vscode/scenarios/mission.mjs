@@ -59,6 +59,15 @@ export const scenarios = {
     await notice.locator('.monaco-button', { hasText: 'Open as a Trace' }).click();
     const trace = await editor.panel('.layout-trace .trace-view');
     await expect('the recording as a trace', async () => (await trace.locator('.row.step').count()) > 5);
+    await trace.locator('.seek-slider').focus();
+    await editor.press('End');
+    await expect('the last step', async () => /step (\d+) of \1$/.test(await trace.locator('.seek-slider').getAttribute('aria-valuetext')));
+    await editor.press('ArrowLeft');
+    await expect('a step back', async () => {
+      const [, step, all] = /(\d+) of (\d+)/.exec(await trace.locator('.count').textContent());
+      return Number(step) === Number(all) - 1;
+    });
+    await expect('the text of a step', async () => (await editor.markedLines('flight.proskill')).length > 0);
     await editor.picture('mission-recording');
     await editor.closeAll();
     writeFileSync(join(root, '.vscode/settings.json'), '{}');

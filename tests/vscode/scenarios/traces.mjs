@@ -152,7 +152,7 @@ export const scenarios = {
     await editor.closeAll();
   },
 
-  /** A recording in MCAP: a short one at once, of a long one the part that the user chooses; stepped forth and back. */
+  /** A recording in MCAP, stepped forth and back; of an hour and more, the bar leads to any time, also after a reload of the window. */
   async recordings({ editor, page, proskill, root }) {
     const record = (name, program, ...options) => spawnSync(proskill, ['run', ...options, '--record', join(root, name), join(root, program)], { stdio: 'ignore' });
     record('short.mcap', kDrone, '--seed', '3');
@@ -169,13 +169,25 @@ export const scenarios = {
     await editor.picture('recordings-short');
     await editor.closeAll();
     await openFromFile({ editor, root }, 'long.mcap');
-    await expect('the question for a part', async () => (await editor.quickInput().innerText()).includes('43200 s'));
-    await editor.quickInput().locator('input.input').fill('3600');
-    await editor.press('Enter');
     frame = await editor.panel('.trace-view');
     await frame.locator('.row.step').first().waitFor();
-    await expect('which part it is', async () => /of 43200 s/.test(await frame.locator('.trace-head').textContent()));
+    const part = () => frame.locator('.trace-head h2').textContent();
+    const time = () => frame.locator('.seek-slider').getAttribute('aria-valuetext');
+    await expect('the last part', async () => /to 43200 s of 43200 s/.test(await part()));
+    await frame.locator('.seek-slider').focus();
+    await editor.press('Home');
+    await expect('the first part', async () => / 0 to .* of 43200 s/.test(await part()));
+    await expect('its first step', async () => /^0 s of 12:00:00, step 1 of/.test(await time()));
+    await editor.press('ArrowRight', 'ArrowRight', 'ArrowLeft');
+    await frame.locator('#step-1.current').waitFor();
+    await editor.press(...Array(10).fill('PageUp'));
+    await expect('the middle of the recording', async () => !/ 0 to /.test(await part()) && /^(5:59:|6:00:)/.test(await time()));
     await editor.picture('recordings-long');
+    const before = await part();
+    await editor.command('Developer: Reload Window');
+    await page.locator('.monaco-workbench .statusbar-item').first().waitFor({ timeout: 60_000 });
+    frame = await editor.panel('.trace-view');
+    await expect('the same part after a reload', async () => (await part()) === before && /^(5:59:|6:00:)/.test(await time()));
     await editor.closeAll();
   },
 };

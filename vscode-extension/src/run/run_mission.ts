@@ -40,13 +40,13 @@ export class Missions implements vscode.Disposable {
     this.current = panel;
   }
 
-  /** A new file, and room for it. */
+  /** A new file, and room for it. Of a long run in this format a part can be read. */
   private recordingOf(program: vscode.Uri): string {
     const folder = join((this.context.storageUri ?? this.context.globalStorageUri).fsPath, 'runs');
     mkdirSync(folder, { recursive: true });
     for (const old of readdirSync(folder).sort().slice(0, -kKept + 1)) rmSync(join(folder, old), { force: true });
     const date = new Date().toISOString().replace(/[:.]/g, '-');
-    return join(folder, `${date}-${basename(program.fsPath, '.proskill')}.json`);
+    return join(folder, `${date}-${basename(program.fsPath, '.proskill')}.mcap`);
   }
 }
 

@@ -2,7 +2,7 @@ import * as vscode from 'vscode';
 import { chooseTrace } from './choose_trace';
 import type { Client } from '../client';
 import type { FiacreView } from '../model';
-import { PanelHost, savedPanel } from '../panel_host';
+import { PanelHost, savedPanel, type SavedPanel } from '../panel_host';
 import { currentText } from '../places';
 import type { Programs } from '../programs';
 import type { panel } from '../protocol';
@@ -40,27 +40,47 @@ export class TraceView implements vscode.Disposable {
   /** A trace from a file, such as one that the view has saved. */
   async openFile(file: vscode.Uri): Promise<void> {
     const read = await readTrace(this.client, file);
-    if (read) await this.show(read.program, { given: read.trace, step: 0 });
+    if (read) await this.show(read.program, { given: read.trace, step: 0 }, file);
   }
 
-  private async show(uri: vscode.Uri, show: panel.Show): Promise<void> {
+  private async show(uri: vscode.Uri, show: panel.Show, file?: vscode.Uri): Promise<void> {
     this.shown = show;
     if (this.host && this.host.uri.toString() === uri.toString()) {
-      this.host.showIt(show);
+      this.host.showIt(show, file);
       this.host.reveal(true);
       return;
     }
     this.host?.dispose();
     // The view opens beside the program. If no text is visible, the first one would cover it.
     if (!vscode.window.visibleTextEditors.some(({ viewColumn }) => viewColumn)) await vscode.window.showTextDocument(uri);
-    this.take(new PanelHost(this.client, this.programs, this.typing, this.context, 'trace', uri, show));
+    const host = new PanelHost(this.client, this.programs, this.typing, this.context, 'trace', uri, show);
+    host.comesFrom(file);
+    this.take(host);
   }
 
   /** After a reload of the window: restores the trace and the step as soon as the program is verified. */
   async deserializeWebviewPanel(view: vscode.WebviewPanel): Promise<void> {
     const saved = savedPanel(this.context.workspaceState, 'trace');
     if (!saved) return view.dispose();
-    this.take(new PanelHost(this.client, this.programs, this.typing, this.context, 'trace', vscode.Uri.parse(saved.uri), undefined, view, saved.remembered));
+    const file = saved.file === undefined ? undefined : vscode.Uri.parse(saved.file);
+    const again = file && this.again(file, saved);
+    const host = new PanelHost(this.client, this.programs, this.typing, this.context, 'trace', vscode.Uri.parse(saved.uri), again, view, saved.remembered);
+    host.comesFrom(file, saved.from);
+    this.take(host);
+  }
+
+  /** A trace from a file, at its step; nothing if the file is gone. */
+  private async again(file: vscode.Uri, { remembered, from }: SavedPanel): Promise<panel.Show> {
+    try {
+      await this.client.whenRunning();
+      const read = await readTrace(this.client, file, remembered?.trace, from);
+      if (!read) return {};
+      this.shown = { given: read.trace, step: remembered?.step ?? 0 };
+      return this.shown;
+    } catch (error) {
+      this.client.output.warn(`${file.fsPath} cannot be shown again: ${String(error)}`);
+      return {};
+    }
   }
 
   private take(host: PanelHost): void {

@@ -13,23 +13,15 @@ interface Read {
   program: vscode.Uri;
 }
 
-/** A trace saved by the trace view or by `proskill verify --save-traces`, or one of a report; undefined: the user chose none. */
-export async function readTrace(client: Client, file: vscode.Uri): Promise<Read | undefined> {
-  const name = vscode.workspace.asRelativePath(file);
-  const text = isRecording(file) ? await readRecording(client, file) : Buffer.from(await vscode.workspace.fs.readFile(file)).toString('utf8');
-  if (text === undefined) return undefined;
-  let traces: panel.Trace[];
-  try {
-    ({ traces } = open(text));
-  } catch (error) {
-    throw new Error(`${name} contains no trace: ${error instanceof Error ? error.message : String(error)}.`);
-  }
-  if (!traces.length) throw new Error(`${name} is a report without a trace.`);
-  const trace = traces.length === 1 ? traces[0] : await choose(traces);
-  if (!trace) return undefined;
-  for (const step of trace.steps) if (step.location) step.location.uri = uriOf(step.location.uri, file).toString();
-  const first = trace.steps.find(({ location }) => location)?.location;
-  return { trace, program: first ? vscode.Uri.parse(first.uri) : currentText().uri };
+/**
+ * A trace saved by the trace view or by `proskill verify --save-traces`, or one of a report: that with the `name`, else one that the user chooses;
+ * undefined: none. `from`: the time of the part of a recording.
+ */
+export async function readTrace(client: Client, file: vscode.Uri, name?: string, from?: number): Promise<Read | undefined> {
+  if (isRecording(file)) return readPart(client, file, from);
+  const traces = tracesIn(file, Buffer.from(await vscode.workspace.fs.readFile(file)).toString('utf8'));
+  const trace = traces.length === 1 ? traces[0] : (traces.find((it) => it.name === name) ?? (await choose(traces)));
+  return trace && placed(trace, file);
 }
 
 /** A recording in MCAP, which the server reads: it may have any size. */
@@ -37,19 +29,30 @@ export function isRecording(file: vscode.Uri): boolean {
   return file.path.endsWith('.mcap');
 }
 
-/** The user chooses the part of a long recording; undefined: none. */
-async function readRecording(client: Client, file: vscode.Uri): Promise<string | undefined> {
-  const uri = file.toString();
-  const last = await client.ask(protocol.recording, { uri });
-  if (last.whole) return last.trace;
-  const from = await vscode.window.showInputBox({
-    title: `A run of ${Math.round(last.length)} s, of which a part is shown`,
-    prompt: 'Seconds from the start of the run to the start of the part',
-    value: String(Math.floor(last.begin)),
-    validateInput: (text) => (/^\d+(\.\d+)?$/.test(text) ? undefined : 'A number of seconds'),
-  });
-  if (from === undefined) return undefined;
-  return Number(from) === Math.floor(last.begin) ? last.trace : (await client.ask(protocol.recording, { uri, from: Number(from) })).trace;
+/** Of a long recording a part, from a time in seconds on; by default the last one. */
+export async function readPart(client: Client, file: vscode.Uri, from?: number): Promise<Read> {
+  const { trace } = await client.ask(protocol.recording, { uri: file.toString(), ...(from !== undefined && { from }) });
+  return placed(tracesIn(file, trace)[0]!, file);
+}
+
+/** At least one. */
+function tracesIn(file: vscode.Uri, text: string): panel.Trace[] {
+  const name = vscode.workspace.asRelativePath(file);
+  let traces: panel.Trace[];
+  try {
+    ({ traces } = open(text));
+  } catch (error) {
+    throw new Error(`${name} contains no trace: ${error instanceof Error ? error.message : String(error)}.`);
+  }
+  if (!traces.length) throw new Error(`${name} is a report without a trace.`);
+  return traces;
+}
+
+/** With the places of its steps as URIs. */
+function placed(trace: panel.Trace, file: vscode.Uri): Read {
+  for (const step of trace.steps) if (step.location) step.location.uri = uriOf(step.location.uri, file).toString();
+  const first = trace.steps.find(({ location }) => location)?.location;
+  return { trace, program: first ? vscode.Uri.parse(first.uri) : currentText().uri };
 }
 
 async function choose(traces: panel.Trace[]): Promise<panel.Trace | undefined> {
