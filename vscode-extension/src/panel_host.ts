@@ -1,4 +1,5 @@
 import * as vscode from 'vscode';
+import { positionAt } from '../../panel/src/model/seek';
 import { changesSince } from '../../panel/src/model/verdict_changes';
 import type { Client } from './client';
 import { page } from './page';
@@ -41,6 +42,7 @@ export class PanelHost implements vscode.Disposable {
   /** where the trace comes from that is shown, unless from the program */
   private file: vscode.Uri | undefined;
   private from: number | undefined;
+  private askedParts = 0;
 
   /** `uri`: any file of the program; `show` may become known while the page loads. */
   constructor(
@@ -169,7 +171,11 @@ export class PanelHost implements vscode.Disposable {
 
   private async part({ from }: { from?: number }): Promise<panel.Trace> {
     if (!this.file) throw new Error('The recording is not known any more.');
+    const request = ++this.askedParts;
     const { trace } = await readPart(this.client, this.file, from);
+    if (request !== this.askedParts) return trace; // answers come in any order; the page shows the last request only
+    const step = from === undefined ? trace.steps.length - 1 : positionAt(trace, [...trace.steps.keys()], from);
+    this.remembered = { ...this.remembered, step }; // saved together with the part, to which it belongs
     this.comesFrom(this.file, from);
     return trace;
   }
