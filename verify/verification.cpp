@@ -85,6 +85,7 @@ std::optional<Unsupported> Verification::explore(std::vector<std::size_t> which)
     isStopped = false;
     if (!isResumed) std::erase_if(which, [&](std::size_t i) { return answered.contains(i); });
     if (which.empty()) return stopDecided();
+    if (stage == stages.size()) refinement.reset();
     const auto size = [&] { return stage < stages.size() ? stages[stage].at : SearchSize{}; };
     const Pause pause{size(), [&]() -> std::optional<SearchSize> {
                         isStopped = isStoppedAt(stages[stage], which) ||
@@ -194,12 +195,13 @@ bool Verification::refine(std::vector<std::size_t> which, const Refinement::Budg
   if (budget.together == 0 || !takes(Reduction::Refinement)) return false;
   std::erase_if(which, [&](std::size_t i) { return answered.contains(i); });
   if (which.empty()) return false;
-  Refinement refinement(compiled.system, whole, provenance, may(), limits, options.answers);
+  if (!refinement)
+    refinement.emplace(compiled.system, whole, provenance, may(), limits, options.answers);
   return isAnyDecided([&](const auto& onDecided) {
-    Bits decided = refinement.decide(compiled.goals, which, budget, result.exploration, onDecided);
+    Bits decided = refinement->decide(compiled.goals, which, budget, result.exploration, onDecided);
     for (auto i : which)
       if (compiled.goals[i].kind == GoalKind::Stuck && areErrorsExcluded() &&
-          refinement.showProgress(budget, result.exploration) && onDecided(i, nullptr))
+          refinement->showProgress(budget, result.exploration) && onDecided(i, nullptr))
         decided.insert(static_cast<std::uint32_t>(i));
     return decided;
   });

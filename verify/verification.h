@@ -98,6 +98,7 @@ private:
   bool slicesAreDone = false;  ///< larger searches of them would not decide more
   bool isEdit = false;         ///< Options::answers had answers of an earlier version of the model
   std::size_t stage = 0;       ///< the next one of stagesOf()
+  std::optional<Refinement> refinement; ///< from the first stage that needs it to the last
 
   std::optional<Checkpoint> checkpoint;
   bool isSaving = false; ///< no limit has left anything open yet

@@ -19,14 +19,16 @@ constexpr std::size_t kMostWaysOn = 8;
 /// Chooses the locations to remove, and makes the system without them.
 class Contraction {
 public:
-  Contraction(const System& of, const Goal& goal, LimitWatch& watch)
+  Contraction(const System& of, const std::vector<Goal>& goals, LimitWatch& watch)
       : system(of),
         limits(watch),
-        relevant(findRelevant(of, {goal}, watch).cells),
+        relevant(findRelevant(of, goals, watch).cells),
         values(of.cells.size()) {
-    events = goal.events;
-    addEvents(system, goal.condition, events);
-    addReads(system, goal.condition, readByOthers);
+    for (const auto& goal : goals) {
+      events |= goal.events;
+      addEvents(system, goal.condition, events);
+      addReads(system, goal.condition, readByOthers);
+    }
     for (const auto& instance : system.instances) {
       from.emplace_back(instance.locations.size());
       isFree.emplace_back(instance.locations.size(), true);
@@ -229,7 +231,7 @@ private:
   const System& system;
   LimitWatch& limits;
   Bits relevant; ///< cells
-  Bits events;   ///< that the goal asks for
+  Bits events;   ///< that the goals ask for
   Bits readByOthers;
   std::vector<std::vector<Steps>> from;     ///< by instance and location: transitions
   std::vector<std::vector<bool>> isFree;    ///< by instance and location: whether it is removed
@@ -238,8 +240,8 @@ private:
 
 } // namespace
 
-Contracted contracted(const System& system, const Goal& goal, LimitWatch& limits) {
-  return Contraction(system, goal, limits).run();
+Contracted contracted(const System& system, const std::vector<Goal>& goals, LimitWatch& limits) {
+  return Contraction(system, goals, limits).run();
 }
 
 } // namespace proskill::verify

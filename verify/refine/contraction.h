@@ -19,9 +19,11 @@ struct Contracted {
 /// Joins steps of one instance. A location is removed if nothing decides when the instance leaves
 /// it and nobody notices: its steps have no condition and no clock, are never due, and write
 /// nothing that matters; and where they lead no step is ever due. A step that leads to such a
-/// location leads on at once. What is reachable stays reachable, and nothing becomes so. \param
-/// system without a state layout, and without priorities \param goal asks for a reachable state or
-/// step \throw LimitMet
-[[nodiscard]] Contracted contracted(const System& system, const Goal& goal, LimitWatch& limits);
+/// location leads on at once. What is reachable stays reachable, and nothing becomes so.
+/// \param system without a state layout, and without priorities
+/// \param goals ask for reachable states or steps
+/// \throw LimitMet
+[[nodiscard]] Contracted contracted(const System& system, const std::vector<Goal>& goals,
+                                    LimitWatch& limits);
 
 } // namespace proskill::verify

@@ -22,7 +22,7 @@ System withoutTime(System system) {
 
 Slice Precision::slice(SliceSeeds seeds) const {
   seeds.cells = known;
-  return slicer.slice(seeds);
+  return slicer->slice(seeds);
 }
 
 System Precision::systemOf(const Slice& slice) const {
@@ -30,7 +30,7 @@ System Precision::systemOf(const Slice& slice) const {
 }
 
 bool Precision::growBy(const Slice& slice, const Steps& steps) {
-  OmittedConditions omitted(slicer, known);
+  OmittedConditions omitted(*slicer, known);
   for (auto step : slice.inWhole(steps)) omitted.follow(step);
   if (!isTimed && omitted.wanted().empty()) return isTimed = true;
   const Bits wanted = omitted.wanted().empty() ? readByLate(slice) : omitted.wanted();
@@ -42,7 +42,7 @@ bool Precision::growBy(const Slice& slice, const Steps& steps) {
 /// What decides since when steps are due that the slice may take later.
 Bits Precision::readByLate(const Slice& slice) const {
   Bits cells;
-  const SliceFacts& facts = slicer.known();
+  const SliceFacts& facts = slicer->known();
   slice.late.each([&](TransitionId late) {
     for (auto conjunct : facts.transitions[slice.original[late]].guard)
       cells |= facts.conjuncts[conjunct].whole.cells;

@@ -10,7 +10,7 @@ namespace proskill::verify {
 class Precision {
 public:
   /// \pre the slicer outlives this
-  explicit Precision(Slicer& of) : slicer(of) {}
+  explicit Precision(Slicer& of) : slicer(&of) {}
 
   /// \throw LimitMet
   [[nodiscard]] Slice slice(SliceSeeds seeds) const;
@@ -20,12 +20,16 @@ public:
   /// \return whether the next slice knows more
   [[nodiscard]] bool growBy(const Slice& slice, const Steps& steps);
 
+  /// Adds what another one knows. \pre both have clocks, or none has
+  void join(const Precision& other) { known |= other.known; }
+
   [[nodiscard]] bool hasTime() const { return isTimed; }
+  friend bool operator==(const Precision&, const Precision&) = default;
 
 private:
   [[nodiscard]] Bits readByLate(const Slice& slice) const;
 
-  Slicer& slicer;
+  Slicer* slicer;
   Bits known;
   bool isTimed = false;
 };

@@ -1,14 +1,17 @@
 #include "verify/refine/refinement.h"
 
 #include "verify/refine/class_budget.h"
-#include "verify/refine/contraction.h"
+#include "verify/slice/cone_groups.h"
 #include "verify/slice/part_text.h"
 #include "verify/slice/whole_run.h"
 #include "verify/state/state_layout.h"
 #include "verify/trace/witness.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
+#include <ranges>
+#include <utility>
 
 namespace proskill::verify {
 
@@ -17,6 +20,32 @@ namespace {
 /// From this size on, a search is led by the distance to its goal. Smaller ones are not worth the
 /// preparation.
 constexpr std::uint64_t kMostInOrder = 1'000;
+
+/// The questions of a slice of so few classes stay together when they are refined: it is cheaper to
+/// know too much than to make another slice.
+constexpr std::uint64_t kMostTogether = 100;
+
+bool isDecided(const Bits& decided, std::size_t goal) {
+  return decided.contains(static_cast<std::uint32_t>(goal));
+}
+
+/// Adds a question to a group, or as a new one.
+/// \param isJoined whether groups may know more than the question needs
+template <class Group>
+void addTo(std::vector<Group>& groups, const Precision& precision, std::size_t goal,
+           bool isJoined) {
+  const auto suits = [&](const Group& group) {
+    return group.precision == precision ||
+           (isJoined && group.precision.hasTime() == precision.hasTime());
+  };
+  const auto found = std::ranges::find_if(groups, suits);
+  if (found == groups.end()) {
+    groups.push_back({precision, {goal}});
+    return;
+  }
+  found->precision.join(precision);
+  found->goals.push_back(goal);
+}
 
 } // namespace
 
@@ -33,95 +62,174 @@ Refinement::Refinement(const System& of, const System& laidOut, const fiacre::Pr
 
 Bits Refinement::decide(const std::vector<Goal>& goals, const std::vector<std::size_t>& open,
                         Budget budget, Exploration& statistics, const OnDecided& onDecided) {
-  Bits decided;
   PlanSearch plans(system, whole, provenance, takes, limits, goals, open);
+  Asking asking{.goals = goals,
+                .plans = plans,
+                .statistics = statistics,
+                .onDecided = onDecided,
+                .together = budget.together,
+                .left = std::vector<std::uint64_t>(goals.size(), budget.each)};
+  for (addGroups(open, asking); !asking.groups.empty() && asking.together > 0;) {
+    Group group = std::move(asking.groups.front());
+    asking.groups.pop_front();
+    std::erase_if(group.goals, [&](std::size_t i) { return isDecided(asking.decided, i); });
+    if (group.goals.empty()) continue;
+    const auto before = asking.decided.count();
+    explore(group, asking);
+    asking.together += budget.each * (asking.decided.count() - before);
+  }
+  return std::move(asking.decided);
+}
+
+/// Groups questions whose first slices are about nearly the same part, and whose next slices know
+/// the same.
+void Refinement::addGroups(const std::vector<std::size_t>& open, Asking& asking) {
+  std::vector<ConeGroup> alone;
   for (auto i : open) {
-    if (budget.together == 0) break;
-    if (!Slicer::canDecide(goals[i]) || decided.contains(static_cast<std::uint32_t>(i))) continue;
-    const auto most = std::min(budget.together, budget.each);
-    auto left = most;
-    const auto before = decided.count();
-    const Asked asked{goals[i], [&](const Evidence* run) { return onDecided(i, run); },
-                      [&](const Steps& plan, std::uint64_t& classes) {
-                        plans.follow(plan, classes, decided, statistics, onDecided);
-                        return decided.contains(static_cast<std::uint32_t>(i));
-                      }};
-    if (decide(asked, left, statistics) == Outcome::Decided)
-      decided.insert(static_cast<std::uint32_t>(i));
-    spend(most - left, budget.together);
-    budget.together += budget.each * (decided.count() - before);
+    if (!Slicer::canDecide(asking.goals[i])) continue;
+    const auto [cone, isNew] = cones.try_emplace(i);
+    if (isNew) cone->second = slicer.cone({.goals = {&asking.goals[i]}, .cells = Bits{}});
+    alone.push_back({cone->second, {i}});
   }
-  return decided;
+  for (const auto& group : joined(std::move(alone)) | std::views::reverse) {
+    std::vector<Group> parts;
+    for (auto i : group.goals) addTo(parts, reached.try_emplace(i, slicer).first->second, i, false);
+    std::ranges::move(parts, std::back_inserter(asking.groups));
+  }
 }
 
-Refinement::Outcome Refinement::decide(const Asked& asked, std::uint64_t& left,
-                                       Exploration& statistics) {
-  Precision precision(slicer);
-  auto outcome = Outcome::Refined;
-  while (outcome == Outcome::Refined) {
-    spend(priceOfSlice(split.system), left);
-    if (left == 0) return Outcome::GaveUp;
-    const Slice slice =
-        precision.slice({.goals = {&asked.goal}, .steps = {}, .loose = {}, .cells = {}});
-    outcome = explore(asked, slice, precision, left, statistics);
+/// Explores a slice for the group, and adds the groups of its questions that are still open.
+void Refinement::explore(const Group& all, Asking& asking) {
+  Group group = all;
+  pay(priceOfSlice(split.system), group, asking);
+  std::erase_if(group.goals, [&](std::size_t i) { return asking.left[i] == 0; });
+  if (group.goals.empty() || asking.together == 0) return;
+  RefinedSlice slice(group.precision, goalsOf(group, asking), limits);
+  dropKnown(slice.part(), group, asking);
+  if (group.goals.empty()) return;
+  const Prepared prepared(slice.part(), goalsOf(group, asking), takes, limits);
+  const auto found = searchFor(group, slice.part(), prepared, asking);
+  if (found.failure) return;
+  readRuns(group, slice, prepared, found, asking);
+  const bool isAlone = group.goals.size() == 1;
+  const PartText text(slice.part());
+  for (std::size_t i = 0; i < group.goals.size(); ++i) {
+    const auto goal = group.goals[i];
+    if (found.goals[i]) continue;
+    if (!found.statistics.complete) {
+      if (!isAlone) asking.groups.push_back({group.precision, {goal}});
+      continue;
+    }
+    if (store) store->keepNeverIn(text.with(asking.goals[goal]));
+    note(goal, nullptr, asking);
   }
-  return outcome;
 }
 
-Refinement::Outcome Refinement::explore(const Asked& asked, const Slice& slice,
-                                        Precision& precision, std::uint64_t& left,
-                                        Exploration& statistics) {
-  const auto& goal = asked.goal;
-  const auto [part, before, original] = contracted(precision.systemOf(slice), goal, limits);
-  const auto text = store ? PartText(part).with(goal) : std::string();
-  if (store && store->isNeverIn(text)) return never(asked);
-  const Prepared prepared(part, {goal}, takes, limits);
-  const auto found = searchFor(goal, part, prepared, left, statistics);
-  if (found.failure) return Outcome::GaveUp;
-  if (!found.goals[0]) {
-    if (!found.statistics.complete) return Outcome::GaveUp;
-    if (store) store->keepNeverIn(text);
-    return never(asked);
-  }
-  const System allCells = withStateLayout(part);
-  const Witness witness(allCells, prepared.reductions, provenance, limits);
-  Steps steps = before;
-  for (auto step : witness.tidied(goal, *found.goals[0]).steps)
-    std::ranges::copy(original[step], std::back_inserter(steps));
-  const auto run = completed(slice, steps);
-  if (run) {
-    const Evidence evidence{*run, {}};
-    if (asked.onDecided(&evidence)) return Outcome::Decided;
-  }
-  if (precision.hasTime() && asked.follow(inSystem(slice, steps), left)) return Outcome::Decided;
-  return precision.growBy(slice, steps) ? Outcome::Refined : Outcome::GaveUp;
+/// Decides the questions of which it is known that they are never reached in the part.
+void Refinement::dropKnown(const System& part, Group& group, Asking& asking) {
+  if (!store) return;
+  const PartText text(part);
+  std::erase_if(group.goals, [&](std::size_t i) {
+    if (!store->isNeverIn(text.with(asking.goals[i]))) return false;
+    note(i, nullptr, asking);
+    return true;
+  });
 }
 
-Refinement::Outcome Refinement::never(const Asked& asked) {
-  return asked.onDecided(nullptr) ? Outcome::Decided : Outcome::GaveUp;
-}
-
-/// Searches breadth-first, and if that takes long, once more with the states next to the goal
-/// first.
-SearchResult Refinement::searchFor(const Goal& goal, const System& part, const Prepared& prepared,
-                                   std::uint64_t& left, Exploration& statistics) {
-  const auto most = std::min(kMostInOrder, left);
-  auto found = searchFor(goal, prepared, nullptr, most, left, statistics);
-  if (!found.paused || left == 0) return found;
+/// Searches breadth-first. If that takes long, a single question is searched for once more, with
+/// the states next to the goal first.
+SearchResult Refinement::searchFor(const Group& group, const System& part, const Prepared& prepared,
+                                   Asking& asking) {
+  const auto inOrder = std::min(kMostInOrder * group.goals.size(), mostFor(group, asking));
+  auto found = searchFor(group, prepared, nullptr, inOrder, asking);
+  const auto most = mostFor(group, asking);
+  if (!found.paused || most == 0 || group.goals.size() > 1) return found;
+  const Goal& goal = asking.goals[group.goals.front()];
   std::optional<GoalDistance> distance;
   if (GoalDistance::isFor(goal))
     distance.emplace(part, prepared.system, goal, prepared.reductions.dropped, limits);
-  return searchFor(goal, prepared, distance ? &*distance : nullptr, left, left, statistics);
+  return searchFor(group, prepared, distance ? &*distance : nullptr, most, asking);
 }
 
-SearchResult Refinement::searchFor(const Goal& goal, const Prepared& prepared,
-                                   GoalDistance* distance, std::uint64_t most, std::uint64_t& left,
-                                   Exploration& statistics) {
-  auto found = search(prepared.system, {goal}, prepared.reductions, prepared.extrapolation, limits,
-                      [](std::size_t, const Evidence&) {}, {.at = {most}, .next = {}}, {distance});
-  addCounts(statistics, found.statistics);
-  spend(found.statistics.classes, left);
+SearchResult Refinement::searchFor(const Group& group, const Prepared& prepared,
+                                   GoalDistance* distance, std::uint64_t most, Asking& asking) {
+  auto found =
+      search(prepared.system, goalsOf(group, asking), prepared.reductions, prepared.extrapolation,
+             limits, [](std::size_t, const Evidence&) {}, {.at = {most}, .next = {}}, {distance});
+  addCounts(asking.statistics, found.statistics);
+  pay(found.statistics.classes, group, asking);
   return found;
+}
+
+/// Completes the runs that were found to runs of the whole, or else refines the slices.
+void Refinement::readRuns(const Group& group, RefinedSlice& slice, const Prepared& prepared,
+                          const SearchResult& found, Asking& asking) {
+  const System allCells = withStateLayout(slice.part());
+  const Witness witness(allCells, prepared.reductions, provenance, limits);
+  const bool isSmall = found.statistics.classes <= kMostTogether;
+  std::vector<Group> refined;
+  for (std::size_t i = 0; i < group.goals.size(); ++i) {
+    const auto goal = group.goals[i];
+    if (!found.goals[i] || isDecided(asking.decided, goal)) continue;
+    const Steps steps = slice.inSlice(witness.tidied(asking.goals[goal], *found.goals[i]).steps);
+    if (isDecidedBy(steps, goal, group, slice, asking)) continue;
+    Precision precision = group.precision;
+    if (!precision.growBy(slice.uncontracted(), steps)) continue;
+    reached.insert_or_assign(goal, precision);
+    addTo(refined, precision, goal, isSmall);
+  }
+  asking.groups.insert(asking.groups.begin(), std::make_move_iterator(refined.begin()),
+                       std::make_move_iterator(refined.end()));
+}
+
+/// Whether a run of the slice, or a search along it, decides the question.
+bool Refinement::isDecidedBy(const Steps& steps, std::size_t goal, const Group& group,
+                             RefinedSlice& slice, Asking& asking) {
+  if (const auto run = completed(slice, steps)) {
+    const Evidence evidence{*run, {}};
+    note(goal, &evidence, asking);
+  }
+  if (!isDecided(asking.decided, goal) && group.precision.hasTime())
+    follow(inSystem(slice.uncontracted(), steps), goal, asking);
+  return isDecided(asking.decided, goal);
+}
+
+/// Searches the whole along a run of a slice.
+void Refinement::follow(const Steps& plan, std::size_t goal, Asking& asking) {
+  const auto most = std::min(asking.left[goal], asking.together);
+  auto left = most;
+  asking.plans.follow(plan, left, asking.decided, asking.statistics, asking.onDecided);
+  spend(most - left, asking.left[goal]);
+  spend(most - left, asking.together);
+}
+
+/// \param run of the whole that reaches the goal; null: it is never reached
+void Refinement::note(std::size_t goal, const Evidence* run, Asking& asking) {
+  if (asking.onDecided(goal, run)) asking.decided.insert(static_cast<std::uint32_t>(goal));
+}
+
+/// How many classes a search for the group may find.
+std::uint64_t Refinement::mostFor(const Group& group, const Asking& asking) {
+  std::uint64_t sum = 0;
+  std::uint64_t most = 0;
+  for (auto i : group.goals) {
+    sum += asking.left[i];
+    most = std::max(most, asking.left[i]);
+  }
+  return std::min({sum, asking.together, std::max(most, asking.together / 4)});
+}
+
+/// Each question of the group pays the same.
+void Refinement::pay(std::uint64_t classes, const Group& group, Asking& asking) {
+  const auto count = group.goals.size();
+  for (auto i : group.goals) spend((classes + count - 1) / count, asking.left[i]);
+  spend(classes, asking.together);
+}
+
+std::vector<Goal> Refinement::goalsOf(const Group& group, const Asking& asking) {
+  std::vector<Goal> goals;
+  for (auto i : group.goals) goals.push_back(asking.goals[i]);
+  return goals;
 }
 
 /// Steps of the slice as steps of the system, without those that others take meanwhile.
@@ -132,9 +240,9 @@ Steps Refinement::inSystem(const Slice& slice, const Steps& steps) const {
 }
 
 /// Completes steps of the slice to a run of the whole.
-std::optional<Steps> Refinement::completed(const Slice& slice, const Steps& steps) {
-  const System allCells = withStateLayout(slice.system);
-  const auto dating = dated(allCells, Enabling(allCells), {steps, {}}, limits);
+std::optional<Steps> Refinement::completed(RefinedSlice& of, const Steps& steps) {
+  const Slice& slice = of.uncontracted();
+  const auto dating = of.datingOf(steps);
   if (!dating) return std::nullopt;
   Bits planned;
   slice.punctual().each([&](TransitionId id) { planned.insert(split.original[id]); });

@@ -7,11 +7,14 @@
 #include "verify/refine/plan_search.h"
 #include "verify/refine/precision.h"
 #include "verify/refine/progress_proof.h"
+#include "verify/refine/refined_slice.h"
 #include "verify/refine/split_tests.h"
 #include "verify/slice/slicer.h"
 #include "verify/verify.h"
 
+#include <deque>
 #include <functional>
+#include <map>
 #include <optional>
 
 namespace proskill::verify {
@@ -19,8 +22,9 @@ namespace proskill::verify {
 /// Answers questions by slices that begin small and grow until they decide. Such a slice omits
 /// conditions on cells that it does not know, and at first time, as if anything else might happen:
 /// so what never happens in it never happens. A run of the slice that is none of the whole says
-/// which cells to add. Kurshan, "Computer-aided verification of coordinating processes", 1994;
-/// Clarke, Grumberg, Jha, Lu, Veith, "Counterexample-guided abstraction refinement", CAV 2000.
+/// which cells to add. Questions about nearly the same part are asked together. Kurshan,
+/// "Computer-aided verification of coordinating processes", 1994; Clarke, Grumberg, Jha, Lu, Veith,
+/// "Counterexample-guided abstraction refinement", CAV 2000.
 class Refinement {
 public:
   using Takes = ProgressProof::Takes;
@@ -44,6 +48,7 @@ public:
   Refinement(const System& system, const System& whole, const fiacre::Provenance& provenance,
              Takes takes, LimitWatch& limits, AnswerStore* store);
 
+  /// Goes on with the slices at which an earlier call has given up.
   /// \param open the goals to decide, by index
   /// \param statistics counts the explorations
   /// \return those that were decided
@@ -56,32 +61,41 @@ public:
   [[nodiscard]] bool showProgress(Budget budget, Exploration& statistics);
 
 private:
-  enum class Outcome : std::uint8_t {
-    Decided,
-    Refined, ///< the next slice knows more
-    GaveUp,
+  /// Questions that are asked together of slices of the same precision.
+  struct Group {
+    Precision precision;
+    std::vector<std::size_t> goals; ///< by index
   };
-  /// What is asked, and who receives the answer.
-  struct Asked {
-    const Goal& goal;
-    std::function<bool(const Evidence*)> onDecided;
-    /// Searches the whole along a run of a slice, for this goal and others.
-    /// \return whether this one was decided
-    std::function<bool(const Steps&, std::uint64_t& classes)> follow;
+  /// A call of decide().
+  struct Asking {
+    const std::vector<Goal>& goals;
+    PlanSearch& plans;
+    Exploration& statistics;
+    const OnDecided& onDecided;
+    std::uint64_t together;          ///< classes left for all questions
+    std::vector<std::uint64_t> left; ///< classes left, by goal
+    std::deque<Group> groups{};      ///< to explore
+    Bits decided{};
   };
 
-  [[nodiscard]] Outcome decide(const Asked& asked, std::uint64_t& left, Exploration& statistics);
-  [[nodiscard]] Outcome explore(const Asked& asked, const Slice& slice, Precision& precision,
-                                std::uint64_t& left, Exploration& statistics);
-  [[nodiscard]] SearchResult searchFor(const Goal& goal, const System& part,
-                                       const Prepared& prepared, std::uint64_t& left,
-                                       Exploration& statistics);
-  [[nodiscard]] SearchResult searchFor(const Goal& goal, const Prepared& prepared,
-                                       GoalDistance* distance, std::uint64_t most,
-                                       std::uint64_t& left, Exploration& statistics);
-  [[nodiscard]] static Outcome never(const Asked& asked);
+  void addGroups(const std::vector<std::size_t>& open, Asking& asking);
+  void explore(const Group& group, Asking& asking);
+  void dropKnown(const System& part, Group& group, Asking& asking);
+  [[nodiscard]] SearchResult searchFor(const Group& group, const System& part,
+                                       const Prepared& prepared, Asking& asking);
+  [[nodiscard]] SearchResult searchFor(const Group& group, const Prepared& prepared,
+                                       GoalDistance* distance, std::uint64_t most, Asking& asking);
+  void readRuns(const Group& group, RefinedSlice& slice, const Prepared& prepared,
+                const SearchResult& found, Asking& asking);
+  [[nodiscard]] bool isDecidedBy(const Steps& steps, std::size_t goal, const Group& group,
+                                 RefinedSlice& slice, Asking& asking);
+  void follow(const Steps& plan, std::size_t goal, Asking& asking);
+  static void note(std::size_t goal, const Evidence* run, Asking& asking);
+  [[nodiscard]] static std::uint64_t mostFor(const Group& group, const Asking& asking);
+  static void pay(std::uint64_t classes, const Group& group, Asking& asking);
+  [[nodiscard]] static std::vector<Goal> goalsOf(const Group& group, const Asking& asking);
   [[nodiscard]] Steps inSystem(const Slice& slice, const Steps& steps) const;
-  [[nodiscard]] std::optional<Steps> completed(const Slice& slice, const Steps& steps);
+  [[nodiscard]] std::optional<Steps> completed(RefinedSlice& slice, const Steps& steps);
 
   SplitSystem split;
   Slicer slicer; ///< of the split system
@@ -91,6 +105,8 @@ private:
   Takes takes;
   LimitWatch& limits;
   AnswerStore* store;
+  std::map<std::size_t, Precision> reached; ///< by goal: with which decide() goes on
+  std::map<std::size_t, Bits> cones;        ///< by goal: of its first slice
 };
 
 } // namespace proskill::verify

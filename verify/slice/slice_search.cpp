@@ -4,6 +4,7 @@
 #include "verify/reduce/path_facts.h"
 #include "verify/reduce/prepared.h"
 #include "verify/reduce/recurrent_steps.h"
+#include "verify/slice/cone_groups.h"
 #include "verify/slice/deadlock_cases.h"
 #include "verify/slice/part_text.h"
 #include "verify/slice/recurrent_parts.h"
@@ -25,11 +26,6 @@ namespace {
 constexpr std::size_t kMostInstances = 4; ///< by which a deadlock is divided into cases
 constexpr std::uint64_t kMostClassesOfPart =
     30'000; ///< of a part that is explored for one argument
-
-/// Whether both can be explored together at little more than the cost of the larger one.
-bool isExploredWith(const Bits& cone, const Bits& larger) {
-  return cone.isWithin(larger) && (cone.empty() || cone.count() * 2 > larger.count());
-}
 
 /// Whether it is possible in every state: its processes have one location each, and it has no other
 /// condition.
@@ -115,31 +111,23 @@ bool SliceSearch::neverStopsTime(Exploration& statistics) {
          });
 }
 
-/// Groups goals, the largest cones first: a cone that is not much smaller than one that contains it
-/// joins it.
+/// Groups goals, the largest cones first.
 std::vector<SliceSearch::Group> SliceSearch::groupsOf(const std::vector<Goal>& goals,
                                                       const std::vector<std::size_t>& open) {
-  std::vector<Group> alone;
+  std::vector<ConeGroup> alone;
   for (auto i : grouped(goals, open)) {
     if (!Slicer::canDecide(goals[i])) continue;
     limits.check();
     Bits cone = slicer.cone({.goals = {&goals[i]}});
-    if (isSmallPart(cone, slicer.moving())) alone.push_back({std::move(cone), {i}, {}});
-  }
-  std::ranges::stable_sort(alone, std::greater{}, [](const Group& it) { return it.cone.count(); });
-  std::vector<Group> groups;
-  for (auto& one : alone) {
-    const auto larger = std::ranges::find_if(
-        groups, [&](const Group& group) { return isExploredWith(one.cone, group.cone); });
-    if (larger == groups.end())
-      groups.push_back(std::move(one));
-    else
-      larger->goals.push_back(one.goals.front());
+    if (isSmallPart(cone, slicer.moving())) alone.push_back({std::move(cone), {i}});
   }
   const std::set<std::size_t> asked(open.begin(), open.end());
-  for (auto& group : groups)
+  std::vector<Group> groups;
+  for (auto& one : joined(std::move(alone))) {
+    auto& group = groups.emplace_back(std::move(one.goals), std::vector<std::size_t>{});
     std::ranges::copy_if(group.goals, std::back_inserter(group.open),
                          [&](std::size_t i) { return asked.contains(i); });
+  }
   std::erase_if(groups, [](const Group& group) { return group.open.empty(); });
   return groups;
 }

@@ -41,7 +41,6 @@ public:
 
 private:
   struct Group {
-    Bits cone;
     std::vector<std::size_t> goals; ///< by index; the slice is made for them
     std::vector<std::size_t> open;  ///< those of them that are to be decided
   };
