@@ -130,7 +130,7 @@ std::vector<std::pair<std::string, verify::Options>> partsFirst() {
 
 } // namespace
 
-TEST_CASE("engine and oracle agree on each question to a part of a random model") {
+TEST_CASE("engine and oracle agree on questions to parts of random models, alone and together") {
   std::size_t judgedModels = 0;
   std::size_t reached = 0;
   std::map<std::string, std::uint64_t> answers; // of parts, by setting
@@ -142,6 +142,13 @@ TEST_CASE("engine and oracle agree on each question to a part of a random model"
     const auto judged = oracle::judge(program, kLimit);
     if (!judged.complete) continue;
     ++judgedModels;
+    for (const auto& setting : partsFirst()) { // questions that share slices
+      std::uint64_t ofParts = 0;
+      const auto wrong = oracle::disagreement(program, {}, judged, setting, nullptr, &ofParts);
+      INFO(wrong.value_or(""));
+      REQUIRE_FALSE(wrong);
+      answers[setting.first + ", together"] += ofParts;
+    }
     for (std::size_t i = 0; i < program.properties.size(); ++i) {
       const auto asked = with(program, i);
       reached += judged.truths[i] == false ? 1 : 0;
