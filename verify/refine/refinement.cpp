@@ -81,8 +81,8 @@ Bits Refinement::decide(const std::vector<Goal>& goals, const std::vector<std::s
   return std::move(asking.decided);
 }
 
-/// Groups questions whose first slices are about nearly the same part, and whose next slices know
-/// the same.
+/// Groups questions whose first slices are about nearly the same part. Each call begins anew, so
+/// that a verification that was interrupted goes on as if it had not been.
 void Refinement::addGroups(const std::vector<std::size_t>& open, Asking& asking) {
   std::vector<ConeGroup> alone;
   for (auto i : open) {
@@ -91,11 +91,8 @@ void Refinement::addGroups(const std::vector<std::size_t>& open, Asking& asking)
     if (isNew) cone->second = slicer.cone({.goals = {&asking.goals[i]}, .cells = Bits{}});
     alone.push_back({cone->second, {i}});
   }
-  for (const auto& group : joined(std::move(alone)) | std::views::reverse) {
-    std::vector<Group> parts;
-    for (auto i : group.goals) addTo(parts, reached.try_emplace(i, slicer).first->second, i, false);
-    std::ranges::move(parts, std::back_inserter(asking.groups));
-  }
+  for (auto& group : joined(std::move(alone)) | std::views::reverse)
+    asking.groups.push_back({Precision(slicer), std::move(group.goals)});
 }
 
 /// Explores a slice for the group, and adds the groups of its questions that are still open.
@@ -175,7 +172,6 @@ void Refinement::readRuns(const Group& group, RefinedSlice& slice, const Prepare
     if (isDecidedBy(steps, goal, group, slice, asking)) continue;
     Precision precision = group.precision;
     if (!precision.growBy(slice.uncontracted(), steps)) continue;
-    reached.insert_or_assign(goal, precision);
     addTo(refined, precision, goal, isSmall);
   }
   asking.groups.insert(asking.groups.begin(), std::make_move_iterator(refined.begin()),

@@ -48,7 +48,6 @@ public:
   Refinement(const System& system, const System& whole, const fiacre::Provenance& provenance,
              Takes takes, LimitWatch& limits, AnswerStore* store);
 
-  /// Goes on with the slices at which an earlier call has given up.
   /// \param open the goals to decide, by index
   /// \param statistics counts the explorations
   /// \return those that were decided
@@ -105,8 +104,7 @@ private:
   Takes takes;
   LimitWatch& limits;
   AnswerStore* store;
-  std::map<std::size_t, Precision> reached; ///< by goal: with which decide() goes on
-  std::map<std::size_t, Bits> cones;        ///< by goal: of its first slice
+  std::map<std::size_t, Bits> cones; ///< by goal: of its first slice
 };
 
 } // namespace proskill::verify
