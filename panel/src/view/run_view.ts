@@ -60,6 +60,7 @@ export class RunView {
   take(status: RunStatus): void {
     this.running.take(status);
     this.draw();
+    this.tick();
     void this.fetch();
   }
 
