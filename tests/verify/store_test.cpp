@@ -1,3 +1,4 @@
+#include "verify/model/release.h"
 #include "verify/state/store.h"
 
 #include <catch2/catch.hpp>
@@ -5,6 +6,8 @@
 #include <map>
 #include <random>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 using namespace proskill::verify;
 
@@ -86,6 +89,15 @@ TEST_CASE("Large zones announce before the next one how much memory is added") {
   }
   CHECK(store.size() == 40);
   CHECK(growths > 3);
+}
+
+TEST_CASE("A container that is released has no memory left") {
+  std::vector<int> numbers(1000);
+  release(numbers);
+  CHECK(numbers.capacity() == 0);
+  std::string text(1000, 'x');
+  release(text);
+  CHECK(text.capacity() == std::string().capacity());
 }
 
 TEST_CASE("A set of numbers grows as needed") {

@@ -1,6 +1,7 @@
 #include "verify/graph/spilled_classes.h"
 
 #include "verify/graph/class_graph.h"
+#include "verify/model/release.h"
 #include "verify/state/state_layout.h"
 
 namespace proskill::verify {
@@ -151,8 +152,8 @@ void SpilledClasses::forgetIfMany() {
   const std::uint64_t bytes = domains.bytes() + domains.growth() + domains.signatureBytes();
   const bool isFull = bytes > space.memoryBytes() / kShareOfDomains;
   if (isFull || notedBytes > space.memoryBytes() / kShareOfNoted) {
-    noted = {};
-    possibleSets = {};
+    release(noted);
+    release(possibleSets);
     possibleTable = {};
     notedBytes = 0;
   }

@@ -1,5 +1,6 @@
 #include "verify/progress/progress_check.h"
 
+#include "verify/model/release.h"
 #include "verify/reduce/free_inputs.h"
 #include "verify/reduce/live_variables.h"
 #include "verify/reduce/recurrent_steps.h"
@@ -127,12 +128,12 @@ std::uint64_t ProgressCheck::rememberedBytes() const {
 /// What is known about moments and signatures only saves repetitions. Call this between two
 /// searches.
 void ProgressCheck::forget() {
-  known = {};
+  release(known);
   graph.forget();
   moments = StateStore(static_cast<std::uint32_t>(levelsFrom + wordsOfLevels(system)));
-  verdicts = {};
-  metIn = {};
-  openAt = {};
+  release(verdicts);
+  release(metIn);
+  release(openAt);
 }
 
 /// Whether time has stopped for some values of the free inputs; sets these values in `moment`.

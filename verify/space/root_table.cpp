@@ -1,5 +1,6 @@
 #include "verify/space/root_table.h"
 
+#include "verify/model/release.h"
 #include <array>
 #include <bit>
 
@@ -121,7 +122,7 @@ bool RootTable::prepareClaims(std::size_t most) {
 /// The old table is given back before the new one is made from the states.
 void RootTable::startGrowth() {
   const std::size_t size = grown(slots.size());
-  slots = {};
+  release(slots);
   slots.resize(size);
   numberMask = size >= std::size_t{1} << 31 ? UINT32_MAX
                                             : static_cast<std::uint32_t>(std::bit_ceil(size)) - 1;

@@ -1,5 +1,6 @@
 #include "verify/spill/candidate_table.h"
 
+#include "verify/model/release.h"
 #include <algorithm>
 
 namespace proskill::verify {
@@ -34,7 +35,7 @@ void CandidateTable::add(const Word* state, ZoneId zone, const Discovery& how) {
 
 void CandidateTable::grow() {
   const std::size_t size = slots.size() * 2;
-  slots = {};
+  verify::release(slots);
   slots.resize(size);
   const std::size_t mask = size - 1;
   for (std::uint32_t i = 0; i < count; ++i) {
@@ -55,8 +56,8 @@ void CandidateTable::clear() {
 
 void CandidateTable::release() {
   count = 0;
-  records = {};
-  order = {};
+  verify::release(records);
+  verify::release(order);
   slots = std::vector<Slot>(kFewestSlots);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "verify/model/release.h"
 #include "verify/spill/paged_file.h"
 
 #include <functional>
@@ -19,8 +20,8 @@ public:
   void each(const Visit& visit);
   /// Gives memory back when no more items follow. \pre there are none
   void release() {
-    texts = {};
-    places = {};
+    verify::release(texts);
+    verify::release(places);
   }
   [[nodiscard]] std::uint64_t bytes() const {
     return texts.capacity() + places.capacity() * sizeof(Place) + file->bytes();

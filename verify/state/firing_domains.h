@@ -1,5 +1,6 @@
 #pragma once
 
+#include "verify/model/release.h"
 #include "verify/model/system.h"
 #include "verify/state/store.h"
 
@@ -27,7 +28,7 @@ public:
   [[nodiscard]] const ZoneStore& zones() const { return store; }
   /// Removes all domains and signatures. \pre nobody needs their numbers
   void forget() {
-    signatures = {};
+    release(signatures);
     table = {};
     store = {};
     memo = {};

@@ -1,5 +1,6 @@
 #include "verify/state/timing.h"
 
+#include "verify/model/release.h"
 #include <algorithm>
 
 namespace proskill::verify {
@@ -98,8 +99,8 @@ SignatureId Timing::signature(bool urgent, const TransitionSet& enabled,
 }
 
 void Timing::forget() {
-  signatures = {};
-  sets = {};
+  release(signatures);
+  release(sets);
   ofSignatures = 0;
   table = {};
   store = {};
