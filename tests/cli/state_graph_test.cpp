@@ -25,6 +25,15 @@ std::string contents(const std::string& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+/// Doors that are independent of each other, in a number that gives more states than fit into
+/// any memory limit of the tests.
+std::string manyDoors() {
+  std::string text = "process door is\nstates open, shut\nfrom open to shut\nfrom shut to open\n\n"
+                     "component main is\npar * in\n   door\n";
+  for (int i = 1; i < 24; ++i) text += "|| door\n";
+  return text + "end\n\nmain\n";
+}
+
 } // namespace
 
 TEST_CASE("verify --graph writes the graph and prints the four counts of sift") {
@@ -68,6 +77,18 @@ TEST_CASE("a state graph is only for a file of a known kind, where there is room
   CHECK(nowhere.exitCode == 2);
   CHECK_THAT(nowhere.err, Catch::Contains("cannot be written: No such file or directory"));
   CHECK(std::filesystem::is_empty(files.path()));
+}
+
+TEST_CASE("counting classes keeps the memory limit while its tables grow") {
+  const TemporaryDirectory files;
+  const auto path = files.write("doors.fcr", manyDoors());
+  for (const long limit : {32, 40, 48, 56, 64}) {
+    CAPTURE(limit);
+    const auto cut = graph({path, "--graph", "counts", "--memory-limit", std::to_string(limit)});
+    CHECK(cut.exitCode == 3);
+    CHECK_THAT(cut.err, Catch::Contains("not complete: the memory limit was reached"));
+    CHECK(cut.peakKiB < limit * 1024 * 105 / 100);
+  }
 }
 
 } // namespace proskill::test::state_graph_test

@@ -83,9 +83,9 @@ void ClassGraph::start() {
 /// Expands what waits, until nothing is left here, or a limit is met.
 void ClassGraph::explore() {
   for (std::uint64_t count = 0; !waiting.empty(); ++count) {
-    constexpr std::uint64_t kBetweenChecks = 64;
+    constexpr std::uint64_t kBetweenChecks = 16;
     if (count % kBetweenChecks == 0 && result.stopped.empty())
-      result.stopped = limits.met(progress());
+      result.stopped = limits.met(progress(), growth());
     if (!result.stopped.empty() || !failure.message.empty()) return;
     if (checkpoint && count % kBetweenChecks == 0 && checkpoint->isDue()) save();
     if (exchange && count % kBetweenChecks == 0) exchange->receive();
@@ -268,6 +268,13 @@ std::uint64_t ClassGraph::bytes() const {
          waiting.size() * sizeof(std::uint32_t) + domainTable.bytes() +
          domainKeys.capacity() * sizeof(std::uint64_t) + (recorder ? recorder->bytes() : 0) +
          (exchange ? exchange->bytes() : 0);
+}
+
+/// Bytes that the next few expansions may allocate at once.
+std::uint64_t ClassGraph::growth() const {
+  return markings.growth() + sets.growth() + images.growth() + noted.growth(sets.end()) +
+         domains.growth() + domainTable.growth() + growthOf(domainKeys) + possibleTable.growth() +
+         growthOf(possibleSets);
 }
 
 Progress ClassGraph::progress() const {

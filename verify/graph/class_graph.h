@@ -62,6 +62,7 @@ private:
   void enter(std::uint32_t marking, SetId more);
   void removeUnusedSets();
   [[nodiscard]] std::uint64_t bytes() const;
+  [[nodiscard]] std::uint64_t growth() const;
   [[nodiscard]] Progress progress() const;
 
   // checkpoints

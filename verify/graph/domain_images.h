@@ -27,6 +27,7 @@ public:
   /// Forgets what is known of sets, after their ids have changed.
   void forget() { recent.clear(); }
   [[nodiscard]] std::uint64_t bytes() const { return recent.bytes(); }
+  [[nodiscard]] std::uint64_t growth() const { return recent.growth(all.end()); }
 
 private:
   [[nodiscard]] Image compute(SetId set, const Firing& by);

@@ -53,7 +53,12 @@ public:
   [[nodiscard]] std::uint64_t bytes() const {
     return nodes.capacity() * sizeof(Node) + table.bytes() + recent.bytes();
   }
-  [[nodiscard]] std::uint64_t growth() const { return growthOf(nodes) + table.growth(); }
+  /// Bytes that the next few sets, or removeUnused(), may allocate at once.
+  [[nodiscard]] std::uint64_t growth() const {
+    const bool isNearlyCrowded = nodes.size() + kBetweenGrowthChecks > most;
+    return growthOf(nodes) + table.growth() + recent.growth(nodes.size()) +
+           (isNearlyCrowded ? nodes.size() * (sizeof(Node) + sizeof(SetId)) : 0);
+  }
 
 private:
   /// The lowest set bit of a key is the one by which a node branches; the bits above it are the
