@@ -2,7 +2,6 @@
 
 #include "verify/refine/class_budget.h"
 #include "verify/slice/cone_groups.h"
-#include "verify/slice/part_text.h"
 #include "verify/slice/whole_run.h"
 #include "verify/state/state_layout.h"
 #include "verify/trace/witness.h"
@@ -102,14 +101,15 @@ void Refinement::explore(const Group& all, Asking& asking) {
   std::erase_if(group.goals, [&](std::size_t i) { return asking.left[i] == 0; });
   if (group.goals.empty() || asking.together == 0) return;
   RefinedSlice slice(group.precision, goalsOf(group, asking), limits);
-  dropKnown(slice.part(), group, asking);
+  std::optional<PartText> text; // it names the part in the store
+  if (store) text.emplace(slice.part());
+  if (text) dropKnown(*text, group, asking);
   if (group.goals.empty()) return;
   const Prepared prepared(slice.part(), goalsOf(group, asking), takes, limits);
   const auto found = searchFor(group, slice.part(), prepared, asking);
   if (found.failure) return;
   readRuns(group, slice, prepared, found, asking);
   const bool isAlone = group.goals.size() == 1;
-  const PartText text(slice.part());
   for (std::size_t i = 0; i < group.goals.size(); ++i) {
     const auto goal = group.goals[i];
     if (found.goals[i]) continue;
@@ -117,15 +117,13 @@ void Refinement::explore(const Group& all, Asking& asking) {
       if (!isAlone) asking.groups.push_back({group.precision, {goal}});
       continue;
     }
-    if (store) store->keepNeverIn(text.with(asking.goals[goal]));
+    if (text) store->keepNeverIn(text->with(asking.goals[goal]));
     note(goal, nullptr, asking);
   }
 }
 
 /// Decides the questions of which it is known that they are never reached in the part.
-void Refinement::dropKnown(const System& part, Group& group, Asking& asking) {
-  if (!store) return;
-  const PartText text(part);
+void Refinement::dropKnown(const PartText& text, Group& group, Asking& asking) {
   std::erase_if(group.goals, [&](std::size_t i) {
     if (!store->isNeverIn(text.with(asking.goals[i]))) return false;
     note(i, nullptr, asking);

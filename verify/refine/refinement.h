@@ -9,6 +9,7 @@
 #include "verify/refine/progress_proof.h"
 #include "verify/refine/refined_slice.h"
 #include "verify/refine/split_tests.h"
+#include "verify/slice/part_text.h"
 #include "verify/slice/slicer.h"
 #include "verify/verify.h"
 
@@ -79,7 +80,7 @@ private:
 
   void addGroups(const std::vector<std::size_t>& open, Asking& asking);
   void explore(const Group& group, Asking& asking);
-  void dropKnown(const System& part, Group& group, Asking& asking);
+  void dropKnown(const PartText& text, Group& group, Asking& asking);
   [[nodiscard]] SearchResult searchFor(const Group& group, const System& part,
                                        const Prepared& prepared, Asking& asking);
   [[nodiscard]] SearchResult searchFor(const Group& group, const Prepared& prepared,
