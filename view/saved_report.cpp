@@ -23,18 +23,21 @@ bool isGoodRun(const OrderedJson& recording) {
          });
 }
 
-/// Makes a report of one property from a trace.
+/// A member of an object that is a text.
+std::string textOf(const OrderedJson& object, const char* name, const std::string& otherwise) {
+  const auto found = object.is_object() ? object.find(name) : object.end();
+  return found != object.end() && found->is_string() ? found->get<std::string>() : otherwise;
+}
+
+/// Makes a report of one property from a trace. That of a part of a recording is about the run.
 OrderedJson asReport(const std::string& file, OrderedJson trace) {
-  const auto text = [&](const char* name, const std::string& otherwise) {
-    const auto found = trace.find(name);
-    return found != trace.end() && found->is_string() ? found->get<std::string>() : otherwise;
-  };
-  const auto name = text("name", "trace");
-  const auto verdict = text("verdict", "");
+  const auto name = textOf(trace, "name", "trace");
+  const auto verdict = textOf(trace, "verdict", "");
+  const auto part = trace.value("part", OrderedJson());
   OrderedJson property{{"name", name},
                        {"kind", "trace"},
                        {"subject", ""},
-                       {"description", text("description", name)},
+                       {"description", textOf(part, "run", textOf(trace, "description", name))},
                        {"verdict", verdict},
                        {"good", verdict == "reachable" || verdict == "holds" ||
                                     (verdict == "recorded" && isGoodRun(trace))},

@@ -49,10 +49,11 @@ public:
     if (!steps) return std::unexpected(steps.error());
     auto made = placeOf(first, end);
     if (!made.isWhole) {
-      trace["part"] = {{"begin", made.begin}, {"end", made.end}, {"length", made.length}};
-      trace["description"] = fmt::format("{}: {:.6g} to {:.6g} s of {:.6g} s",
-                                         trace.value("description", "a recorded run"), made.begin,
-                                         made.end, made.length);
+      const auto run = trace.value("description", "a recorded run");
+      trace["part"] = {
+          {"run", run}, {"begin", made.begin}, {"end", made.end}, {"length", made.length}};
+      trace["description"] =
+          fmt::format("{}: {:.6g} to {:.6g} s of {:.6g} s", run, made.begin, made.end, made.length);
     }
     if (first > 0) setValues(trace);
     made.text = textOf(trace, *steps);

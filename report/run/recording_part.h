@@ -15,7 +15,8 @@ struct PartOfRun {
 };
 
 /// A part of a recording as a trace in JSON. Unless it is the whole run, its description and its
-/// member `part` (`begin`, `end`, `length`) say which part it is.
+/// member `part` (`begin`, `end`, `length`, and `run`, the description of the whole) say which part
+/// it is.
 struct TraceOfPart {
   std::string text;
   double begin = 0; ///< in seconds since the start of the run
