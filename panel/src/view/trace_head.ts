@@ -11,9 +11,10 @@ export class TraceHead {
 
   draw(trace: Trace): void {
     const end = trace.steps.at(-1)?.date;
+    const time = trace.part ? '' : `, ${end ? decimal(end) : '0'} s`; // the description of a part has its times
     this.line.replaceChildren(h('span', { class: `badge ${trace.verdict}` }, trace.verdict || 'trace'),
       h('h2', { title: trace.name }, prose(trace.description)),
-      h('span', { class: 'faint', title: end ? `It ends at ${end.exact} s` : '' }, plural(trace.steps.length, 'step'), `, ${end ? decimal(end) : '0'} s`),
+      h('span', { class: 'faint', title: end ? `It ends at ${end.exact} s` : '' }, plural(trace.steps.length, 'step'), time),
       h('span', { class: 'stale-mark', title: 'The text has changed since: places may have moved' }, 'for an older text'), this.renewed);
     this.say('');
     this.summary.replaceChildren(prose(trace.summary ?? ''));
