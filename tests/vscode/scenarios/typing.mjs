@@ -94,4 +94,29 @@ export const scenarios = {
     equal('the caret', await editor.caret(), 'Ln 161, Col 3');
     await editor.closeAll();
   },
+
+  /** Two programs side by side, and the trace of one of them: after a reload both have verdicts, and the trace its step. */
+  async reloaded_two({ editor, page }) {
+    await editor.closeAll();
+    await editor.openFile('drone/drone.proskill');
+    await editor.statusSays(/\d+ bad, \d+ warnings?$/, 60_000);
+    await editor.command('ProSkill: Open Trace');
+    await editor.answer(failing);
+    const before = await editor.panel('.trace-view');
+    await before.locator('.steps').press('ArrowDown');
+    await before.locator('#step-1.current').waitFor();
+    await editor.press('Control+1');
+    await editor.command('View: Split Editor Right');
+    await editor.openFile(kFile);
+    await editor.statusSays(/\d+ bad/, 60_000);
+    await editor.command('Developer: Reload Window');
+    await page.locator('.monaco-workbench .statusbar-item').first().waitFor({ timeout: 60_000 });
+    const after = await editor.panel('.trace-view');
+    await after.locator('#step-1.current').waitFor({ timeout: 60_000 });
+    for (const file of ['drone/drone.proskill', kFile]) {
+      await editor.openFile(file);
+      await editor.statusSays(/\d+ bad(?!.*outdated)/, 60_000);
+    }
+    await editor.closeAll();
+  },
 };
