@@ -8,6 +8,7 @@ import json
 import os
 import pathlib
 import resource
+import shutil
 import signal
 import subprocess
 import sys
@@ -27,8 +28,8 @@ LONG = "philosophers 14"
 LEAST_MIB = 5  # for a search on disk
 
 
-def run(arguments, codes=(0, 1), **how):
-    command = [PROGRAM, "verify", *arguments]
+def run(arguments, codes=(0, 1), program=PROGRAM, **how):
+    command = [program, "verify", *arguments]
     done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=PATIENCE, **how)
     assert done.returncode in codes, f"{command}: {done.returncode}\n{done.stdout}\n{done.stderr}"
     return done
@@ -145,7 +146,7 @@ def check_usage(bench):
 
 
 def check_permission(bench):
-    """Root may write anywhere, so this runs as somebody else."""
+    """Root may write anywhere, so this runs as somebody else, who may not see where the program is."""
     closed = bench.directory / "closed"
     closed.mkdir(mode=0o755)
     file = model("philosophers 3", bench.directory)
@@ -153,7 +154,8 @@ def check_permission(bench):
     if not how:
         closed.chmod(0o555)
     bench.directory.chmod(0o755)
-    said = run(["--memory-limit", "100", "--spill", closed, file], codes=(2,), **how).stderr
+    program = shutil.copy(PROGRAM, bench.directory)
+    said = run(["--memory-limit", "100", "--spill", closed, file], codes=(2,), program=program, **how).stderr
     assert "Permission denied" in said, said
 
 
