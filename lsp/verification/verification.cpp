@@ -4,7 +4,6 @@
 #include "ide/snapshot/fiacre_file.h"
 
 #include "lsp/verification/defined_in.h"
-#include "lsp/verification/verdict_json.h"
 
 #include <fmt/format.h>
 
@@ -81,7 +80,8 @@ void Verification::textsChanged(std::shared_ptr<const ide::Snapshot> now,
     if (inView) view(*inView);
     edited = true;
     due = std::chrono::steady_clock::now() + delayAfter(settings, took);
-    if (runningOn && hasChanged(runningOn->program, runningVersions, snapshot->open()))
+    if (inBackground ||
+        (runningOn && hasChanged(runningOn->program, runningVersions, snapshot->open())))
       running.cancel();
   }
   wake.notify_all();
@@ -95,6 +95,7 @@ void Verification::setView(const std::filesystem::path& path, std::optional<Line
     if (!viewed.empty() && viewed.front() == path) return; // only scrolled: nothing to do
     view(path);
     due = std::chrono::steady_clock::now() + delayAfter(settings, took);
+    if (inBackground) running.cancel();
   }
   wake.notify_all();
 }
@@ -105,13 +106,17 @@ void Verification::view(const std::filesystem::path& path) {
   viewed.push_front(path);
 }
 
-/// The program in view. If its text was closed, as editors do after a refactoring, the previous
-/// one.
+/// The text in view, and then the others that the user has viewed and not closed.
 /// \pre the mutex is held
-std::optional<std::filesystem::path> Verification::inView() {
-  if (!snapshot) return std::nullopt;
+std::vector<std::filesystem::path> Verification::textsByView() {
+  if (!snapshot) return {};
   viewed.remove_if([&](const auto& path) { return !snapshot->open().contains(path); });
-  return viewed.empty() ? std::nullopt : std::optional(viewed.front());
+  return {viewed.begin(), viewed.end()};
+}
+
+bool Verification::isInBackground() {
+  const std::lock_guard lock(mutex);
+  return inBackground;
 }
 
 VerificationSettings Verification::settingsNow() const {
@@ -136,14 +141,14 @@ void Verification::live(const std::stop_token& stop) {
       noticeEdit(*now);
     } else {
       due.reset();
-      const auto path = inView();
-      if (!started || !now || !path) continue;
+      const auto texts = textsByView();
+      if (!started || !now || texts.empty()) continue;
       running = rpc::Cancellation();
       const auto chosen = settings;
       const auto cancellation = running;
       lock.unlock();
       try {
-        checkLive(*now, *path, chosen, cancellation);
+        checkTexts(*now, texts, chosen, cancellation);
       } catch (const std::exception& error) {
         log(fmt::format("live verification failed: {}", error.what()));
       }
@@ -154,6 +159,23 @@ void Verification::live(const std::stop_token& stop) {
 
 void Verification::noticeEdit(const ide::Snapshot& now) {
   if (store.noticeEdit(now.open(), *now.includes())) outside.changed();
+}
+
+/// Programs that are not in view come last, and any edit or change of the view interrupts them.
+void Verification::checkTexts(const ide::Snapshot& now,
+                              const std::vector<std::filesystem::path>& texts,
+                              const VerificationSettings& chosen,
+                              const rpc::Cancellation& cancellation) {
+  for (const auto& path : texts) {
+    {
+      const std::lock_guard lock(mutex);
+      inBackground = path != texts.front();
+    }
+    if (cancellation.isCancelled()) break;
+    checkLive(now, path, chosen, cancellation);
+  }
+  const std::lock_guard lock(mutex);
+  inBackground = false;
 }
 
 void Verification::checkLive(const ide::Snapshot& now, const std::filesystem::path& path,
@@ -178,7 +200,7 @@ void Verification::checkLive(const ide::Snapshot& now, const std::filesystem::pa
   {
     const std::lock_guard lock(mutex);
     const auto passed = std::chrono::steady_clock::now() - begin;
-    if (isAnyNew || (took && passed > *took)) took = passed;
+    if (!inBackground && (isAnyNew || (took && passed > *took))) took = passed;
   }
   for (const auto& program : verified) measure(program, now.open(), chosen, cancellation);
 }
@@ -204,8 +226,12 @@ Verification::Checked Verification::checkProgram(const Programs& program, const 
     return Checked::No;
   }
   const auto known = store.of(program->program.files.front().path);
-  const bool isComplete = known && known->verified && known->verified->verdicts->isComplete();
-  if (isComplete && ide::areCurrent(*known->verified->verdicts, program->program)) {
+  const bool isBehind = isInBackground(); // one answer is enough there
+  if (isBehind && known && known->state == VerificationState::Failed && known->program == program)
+    return Checked::No;
+  const bool isEnough =
+      known && known->verified && (isBehind || known->verified->verdicts->isComplete());
+  if (isEnough && ide::areCurrent(*known->verified->verdicts, program->program)) {
     const bool told = known->state == VerificationState::Done && !known->stale;
     if (!told) store.set(program, VerificationState::Done);
     if (known->stale) outside.changed();
@@ -326,66 +352,6 @@ Verification::run(const Programs& program, const ide::OpenTexts& open, const wor
     return std::unexpected(
         worker::WorkerFailure{false, "the process that verifies gave a report of an unknown form"});
   return job.names.empty() ? ofWholeProgram(std::move(*verified)) : std::move(*verified);
-}
-
-namespace {
-
-/// Whether it is enough to send the verdicts that changed.
-bool sameRows(const std::shared_ptr<const ide::ProgramVerdicts>& before,
-              const ide::ProgramVerdicts& now) {
-  return before && before->program == now.program &&
-         std::ranges::equal(before->properties, now.properties, {}, &ide::PropertyVerdict::name,
-                            &ide::PropertyVerdict::name);
-}
-
-} // namespace
-
-/// Called by the store, by one thread at a time.
-void Verification::announce(const ProgramState& state) {
-  std::shared_ptr<const ide::Snapshot> now;
-  syntax::Encoding counted{};
-  VerdictNews news{};
-  {
-    const std::lock_guard lock(mutex);
-    now = snapshot;
-    counted = encoding;
-    news = verdictNews;
-  }
-  if (news == VerdictNews::None) return;
-  const ide::OpenTexts none;
-  const auto& open = now ? now->open() : none;
-  const Converter here(state.program->program, open, counted);
-  const auto& root = state.program->program.files.front().path;
-  Json json{{"program", here.uri(0)},
-            {"label", root.filename().string()},
-            {"main", nullptr},
-            {"state", nameOf(state.state)},
-            {"stale", state.stale},
-            {"message", state.message},
-            {"progress", state.progress ? progressJson(*state.progress) : Json()},
-            {"counts", countsJson({})},
-            {"changes", false},
-            {"verdicts", Json::array()},
-            {"exploration", nullptr},
-            {"texts", textsJson(state.program->program, open)}};
-  if (state.verified) {
-    const auto& verdicts = *state.verified->verdicts;
-    const Converter there(verdicts.program->program, open, counted);
-    if (!state.verified->mainSkill.empty()) json["main"] = state.verified->mainSkill;
-    json["counts"] = countsJson(verdicts.properties);
-    auto& before = announced[root];
-    if (news == VerdictNews::Changes && sameRows(before, verdicts)) {
-      json["verdicts"] = changedVerdictsJson(*before, verdicts, there);
-      json["changes"] = true;
-    } else {
-      json["verdicts"] = verdictsJson(verdicts, there);
-    }
-    before = state.verified->verdicts;
-    json["exploration"] = explorationSummary(verdicts.exploration);
-    json["texts"] = textsJson(verdicts, there);
-  }
-  if (!state.verified || state.state == VerificationState::Off) announced.erase(root);
-  outside.send(rpc::notification("proskill/verdicts", json));
 }
 
 } // namespace proskill::lsp

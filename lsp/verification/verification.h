@@ -55,6 +55,8 @@ private:
   using Programs = std::shared_ptr<const ide::AnalysedProgram>;
 
   void live(const std::stop_token& stop);
+  void checkTexts(const ide::Snapshot& snapshot, const std::vector<std::filesystem::path>& texts,
+                  const VerificationSettings& settings, const rpc::Cancellation& cancellation);
   void checkLive(const ide::Snapshot& snapshot, const std::filesystem::path& path,
                  const VerificationSettings& settings, const rpc::Cancellation& cancellation);
   /// Whether the verdicts on a program are known.
@@ -84,7 +86,8 @@ private:
   findTrace(const Verified& known, const std::string& name, const Request& request);
   [[nodiscard]] VerificationSettings settingsNow() const;
   void view(const std::filesystem::path& path);
-  [[nodiscard]] std::optional<std::filesystem::path> inView();
+  [[nodiscard]] std::vector<std::filesystem::path> textsByView();
+  [[nodiscard]] bool isInBackground();
 
   Outside outside;
   VerdictStore store;
@@ -102,6 +105,7 @@ private:
   std::optional<Time> due;            ///< of live verification
   std::optional<Time::duration> took; ///< by the last live verification, without durations
   rpc::Cancellation running;          ///< of live verification
+  bool inBackground = false;          ///< it is about a text that is not in view
   Programs runningOn;
   /// Roots of programs whose durations are not known yet. Only live verification uses it.
   std::set<std::filesystem::path> unmeasured;

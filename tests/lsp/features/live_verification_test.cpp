@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+
 namespace proskill::test::live_verification_test {
 
 using namespace lamp;
@@ -26,6 +28,27 @@ TEST_CASE("the program in view is verified, and its verdicts are diagnostics") {
   REQUIRE(way.size() >= 2);
   CHECK(way[0]["location"]["uri"] == kMain);
   CHECK(way[0]["location"]["range"]["start"]["line"] == 1);
+}
+
+TEST_CASE("the programs of all texts that were opened are verified, that in view first") {
+  Session::Options options;
+  options.initializationOptions = kLive;
+  options.initializationOptions["verify"]["delay"] = 1'000; // both are open by then
+  Session session(options);
+  session.initialize();
+  const std::string text = "(defsv door :states (Open Closed) :init Open)\n"
+                           "(defevent close :effects (door Closed))\n";
+  const std::string other = "file:///w/other.proskill";
+  session.open(kMain, text);
+  session.open(other, text);
+  std::vector<std::string> done;
+  while (done.size() < 2) {
+    const auto news = session.notified("proskill/verdicts");
+    const auto program = news["program"].get<std::string>();
+    if (news["state"] == "done" && std::ranges::find(done, program) == done.end())
+      done.push_back(program);
+  }
+  CHECK(done == std::vector<std::string>{other, kMain});
 }
 
 TEST_CASE("a request for one property leaves the others to live verification") {

@@ -107,13 +107,13 @@ export const scenarios = {
     await before.locator('#step-1.current').waitFor();
     await editor.press('Control+1');
     await editor.command('View: Split Editor Right');
-    await editor.openFile(kFile);
+    await editor.openFile('lift/timed.proskill');
     await editor.statusSays(/\d+ bad/, 60_000);
     await editor.command('Developer: Reload Window');
     await page.locator('.monaco-workbench .statusbar-item').first().waitFor({ timeout: 60_000 });
     const after = await editor.panel('.trace-view');
     await after.locator('#step-1.current').waitFor({ timeout: 60_000 });
-    for (const file of ['drone/drone.proskill', kFile]) {
+    for (const file of ['drone/drone.proskill', 'lift/timed.proskill']) {
       await editor.openFile(file);
       await editor.statusSays(/\d+ bad(?!.*outdated)/, 60_000);
     }
