@@ -4,7 +4,6 @@
 #include "verify/reduce/stubborn_sets.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace proskill::verify {
 
@@ -111,21 +110,12 @@ private:
 
 Workers::Workers(const System& system, const OpenGoals& goals, const Reductions& reductions,
                  ZoneGraph& to, const LimitWatch& limits, unsigned jobs)
-    : graph(to) {
+    : graph(to), team(jobs) {
   for (unsigned i = 0; i < jobs; ++i)
     all.push_back(std::make_unique<Worker>(system, goals, reductions, to, limits));
-  for (std::size_t i = 1; i < all.size(); ++i)
-    threads.emplace_back([this, i](const std::stop_token& stop) { runThread(i, stop); });
 }
 
-Workers::~Workers() {
-  for (auto& thread : threads) thread.request_stop();
-  {
-    const std::lock_guard lock(guard);
-    ++round;
-  }
-  changed.notify_all();
-}
+Workers::~Workers() = default;
 
 const Expansion& Workers::expansionOf(NodeIndex node) {
   if (!hasExpanded(node)) {
@@ -144,58 +134,20 @@ void Workers::expandChunk() {
   makers.resize(chunk.size());
   next = first;
   prepareClaims();
-  inAllThreads([this](std::size_t worker) { work(worker); });
+  team.inAll([this](std::size_t worker) { work(worker); });
 }
 
 void Workers::prepareClaims() {
   RootTable& table = graph.states.roots;
   if (table.prepareClaims(kClaimsOfNode * (end - first))) {
     table.startGrowth();
-    inAllThreads([&](std::size_t worker) { table.refill(worker, all.size()); });
+    team.inAll([&](std::size_t worker) { table.refill(worker, all.size()); });
   }
   for (auto& worker : all) worker->startChunk();
 }
 
-/// Does a task in all threads, and waits for them.
-void Workers::inAllThreads(Task with) {
-  {
-    const std::lock_guard lock(guard);
-    task = std::move(with);
-    ++round;
-    busy = threads.size();
-  }
-  changed.notify_all();
-  attempt(0);
-  std::unique_lock lock(guard);
-  changed.wait(lock, [this] { return busy == 0; });
-  if (failure) std::rethrow_exception(std::exchange(failure, nullptr));
-}
-
-void Workers::attempt(std::size_t worker) {
-  try {
-    task(worker);
-  } catch (...) {
-    next = end; // the others stop, too
-    const std::lock_guard lock(guard);
-    failure = std::current_exception();
-  }
-}
-
-void Workers::runThread(std::size_t worker, const std::stop_token& stop) {
-  std::unique_lock lock(guard);
-  for (std::uint64_t seen = 0;;) {
-    changed.wait(lock, [&] { return round != seen; });
-    seen = round;
-    if (stop.stop_requested()) return;
-    lock.unlock();
-    attempt(worker);
-    lock.lock();
-    if (--busy == 0) changed.notify_all();
-  }
-}
-
 /// Takes nodes of the chunk until none is left, or until a limit is met.
-void Workers::work(std::size_t worker) {
+void Workers::work(std::size_t worker) try {
   // neighbours have zones in common, so they are expanded by the same thread
   const NodeIndex atOnce =
       std::max(1U, (end - first) / static_cast<NodeIndex>(all.size() * kChunkPieces));
@@ -206,6 +158,9 @@ void Workers::work(std::size_t worker) {
       if (!graph.isSubsumed(node)) all[worker]->expand(node, chunk[node - first]);
     }
   }
+} catch (...) {
+  next = end; // the others stop, too
+  throw;
 }
 
 } // namespace proskill::verify

@@ -1,14 +1,10 @@
 #pragma once
 
 #include "verify/explore/expander.h"
+#include "verify/explore/team.h"
 
 #include <atomic>
-#include <condition_variable>
-#include <exception>
-#include <functional>
 #include <memory>
-#include <mutex>
-#include <thread>
 
 namespace proskill::verify {
 
@@ -35,11 +31,6 @@ private:
   /// What one thread works with.
   class Worker;
 
-  using Task = std::function<void(std::size_t)>;
-
-  void runThread(std::size_t worker, const std::stop_token& stop);
-  void inAllThreads(Task with);
-  void attempt(std::size_t worker);
   void prepareClaims();
   void expandChunk();
   void work(std::size_t worker);
@@ -53,13 +44,7 @@ private:
   std::vector<std::uint32_t> makers; ///< by node of the chunk: index in `all`
   std::atomic<NodeIndex> next{0};    ///< the next node of the chunk that nobody works at
 
-  std::mutex guard;
-  std::condition_variable changed;
-  Task task;                  ///< of all threads, called with the index of each
-  std::uint64_t round = 0;    ///< number of tasks so far
-  std::size_t busy = 0;       ///< number of threads that still work at the task
-  std::exception_ptr failure; ///< thrown by one of them
-  std::vector<std::jthread> threads;
+  Team team; ///< last, so that its threads end first
 };
 
 } // namespace proskill::verify

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <stop_token>
+#include <thread>
+#include <vector>
+
+namespace proskill::verify {
+
+/// Threads that do one task after another together.
+class Team {
+public:
+  using Task = std::function<void(std::size_t)>; ///< receives the number of the thread
+
+  /// \param members number of threads, with the calling one: at least 1
+  explicit Team(std::size_t members);
+  Team(const Team&) = delete;
+  Team& operator=(const Team&) = delete;
+  ~Team();
+
+  /// Calls `task` in all threads, in the calling one with 0, and waits until each of them is done.
+  /// \throw what one of them has thrown
+  void inAll(Task task);
+  [[nodiscard]] std::size_t size() const { return threads.size() + 1; }
+
+private:
+  void serve(std::size_t member, const std::stop_token& stop);
+  void attempt(std::size_t member);
+
+  std::mutex guard;
+  std::condition_variable changed;
+  Task current;
+  std::uint64_t round = 0;    ///< number of tasks so far
+  std::size_t busy = 0;       ///< number of threads that still work at the task
+  std::exception_ptr failure; ///< thrown by one of them
+  std::vector<std::jthread> threads;
+};
+
+} // namespace proskill::verify
