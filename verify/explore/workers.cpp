@@ -2,6 +2,7 @@
 
 #include "verify/reduce/live_variables.h"
 #include "verify/reduce/stubborn_sets.h"
+#include "verify/threads/translation.h"
 
 #include <algorithm>
 
@@ -77,19 +78,6 @@ private:
     to.failure = from.failure;
     to.failureOrigin = from.failureOrigin;
   }
-
-  /// Numbers of one table, by those of another; kNone where they are not known yet.
-  class Translation {
-  public:
-    template <class Make> std::uint32_t get(std::uint32_t number, Make make) {
-      if (number >= known.size()) known.resize(number + 1, kNone);
-      if (known[number] == kNone) known[number] = make();
-      return known[number];
-    }
-
-  private:
-    std::vector<std::uint32_t> known;
-  };
 
   const System& system;
   const ZoneGraph& graph;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "verify/explore/expander.h"
-#include "verify/explore/team.h"
+#include "verify/threads/team.h"
 
 #include <atomic>
 #include <memory>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <condition_variable>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -32,11 +32,10 @@ private:
   void serve(std::size_t member, const std::stop_token& stop);
   void attempt(std::size_t member);
 
-  std::mutex guard;
-  std::condition_variable changed;
   Task current;
-  std::uint64_t round = 0;    ///< number of tasks so far
-  std::size_t busy = 0;       ///< number of threads that still work at the task
+  std::atomic<std::uint64_t> round{0}; ///< number of tasks so far
+  std::atomic<std::size_t> busy{0};    ///< number of other threads that still work at the task
+  std::mutex guard;
   std::exception_ptr failure; ///< thrown by one of them
   std::vector<std::jthread> threads;
 };
