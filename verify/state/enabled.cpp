@@ -13,9 +13,17 @@ namespace {
 /// With fewer transitions from a location it is faster to evaluate each of them.
 constexpr std::size_t kMany = 64;
 
+TransitionSet allBut(const Bits& dropped, std::size_t transitions) {
+  TransitionSet all((transitions + 63) / 64);
+  for (TransitionId i = 0; i < transitions; ++i)
+    if (!dropped.contains(i)) insert(all, i);
+  return all;
+}
+
 } // namespace
 
-Enabling::Enabling(const System& of, const Bits& dropped) : system(of) {
+Enabling::Enabling(const System& of, const Bits& dropped)
+    : system(of), tables(of, allBut(dropped, of.transitions.size())) {
   urgent = clocked = TransitionSet((system.transitions.size() + 63) / 64);
   for (TransitionId i = 0; i < system.transitions.size(); ++i) {
     if (dropped.contains(i)) continue;
@@ -112,6 +120,7 @@ void Enabling::look(TransitionId transition, const Word* state, TransitionSet& e
 }
 
 void Enabling::compute(const Word* state, TransitionSet& enabled) const {
+  if (tables.pay()) return computeByTables(state, enabled);
   enabled.assign(urgent.size(), 0);
   for (InstanceId i = 0; i < system.instances.size(); ++i) {
     const std::size_t location = locationOf(i, state);
@@ -122,6 +131,13 @@ void Enabling::compute(const Word* state, TransitionSet& enabled) const {
     for (auto transition : starting[i][location])
       if (isPossible(transition, state)) insert(enabled, transition);
   }
+}
+
+void Enabling::computeByTables(const Word* state, TransitionSet& enabled) const {
+  tables.findCandidates(state, enabled);
+  eachInBoth(enabled, tables.undecided(), [&](TransitionId transition) {
+    if (!isPossible(transition, state)) erase(enabled, transition);
+  });
 }
 
 bool Enabling::isCrowded(InstanceId instance, std::size_t location) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "verify/state/guard_tables.h"
 #include "verify/state/run.h"
 #include "verify/state/timing.h"
 #include "verify/state/transition_set.h"
@@ -45,6 +46,7 @@ private:
   void findPlaces(const Bits& dropped);
   void findAffected(const Bits& dropped);
   void findCrowds();
+  void computeByTables(const Word* state, TransitionSet& enabled) const;
   [[nodiscard]] bool isPossible(TransitionId transition, const Word* state) const;
   void look(TransitionId transition, const Word* state, TransitionSet& enabled) const;
   /// Whether many transitions start from a location.
@@ -60,6 +62,7 @@ private:
   };
 
   const System& system;
+  GuardTables tables;
   std::vector<Guard> guards; ///< by transition
   std::vector<BitTest> tests;
   TransitionSet urgent;
