@@ -111,8 +111,10 @@ TEST_CASE("the engine counts state classes as the textbook does") {
     auto expected = oracle::countClasses(model, kLimit);
     if (!expected.complete) continue;
     ++compared;
-    auto counted = verify::countClasses(program);
-    INFO("seed " << seed << "\n" << fiacre::print(program));
+    const auto jobs = static_cast<unsigned>(1 + seed % 3);
+    auto counted = verify::countClasses(
+        program, {.jobs = jobs, .classesBeforeThreads = 0, .nodesBeforeThreads = 0});
+    INFO("seed " << seed << ", " << jobs << " threads\n" << fiacre::print(program));
     REQUIRE(counted.has_value());
     CHECK(counted->classes == expected.classes);
     CHECK(counted->markings == expected.markings);

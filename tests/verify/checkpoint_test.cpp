@@ -35,7 +35,7 @@ auto run(const fiacre::Program& program, verify::Options options,
 
 auto count(const fiacre::Program& program, verify::CheckpointStore& checkpoint,
            std::optional<std::uint64_t> classes = {}) {
-  verify::Options options;
+  verify::Options options{.jobs = 2, .classesBeforeThreads = 0, .nodesBeforeThreads = 0};
   options.checkpoint = &checkpoint;
   options.limits.classes = classes;
   return verify::countClasses(program, options);

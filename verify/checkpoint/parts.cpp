@@ -81,7 +81,7 @@ std::optional<Dbm> readZone(CheckpointReader& from, std::uint32_t most) {
   return from.hasFailed() ? std::nullopt : std::optional(Dbm(dimension, matrix));
 }
 
-void writeSteps(CheckpointWriter& to, const std::vector<TransitionId>& steps) {
+void writeSteps(CheckpointWriter& to, std::span<const TransitionId> steps) {
   to.number(steps.size());
   for (const auto step : steps) to.number(step);
 }

@@ -43,7 +43,7 @@ void writeZone(CheckpointWriter& to, std::uint32_t dimension, std::span<const Bo
 /// Nothing after an error. \param most its greatest dimension
 [[nodiscard]] std::optional<Dbm> readZone(CheckpointReader& from, std::uint32_t most);
 
-void writeSteps(CheckpointWriter& to, const std::vector<TransitionId>& steps);
+void writeSteps(CheckpointWriter& to, std::span<const TransitionId> steps);
 [[nodiscard]] std::vector<TransitionId> readSteps(CheckpointReader& from, std::size_t transitions);
 
 void writeCounts(CheckpointWriter& to, const Exploration& counts);

@@ -24,9 +24,9 @@ void ClassGraph::write(CheckpointWriter& to) const {
     std::swap(before, marking);
     writeClasses(to, id);
   }
-  writeSteps(to, {waiting.begin(), waiting.end()});
+  writeSteps(to, allWaiting());
   to.number(possibleSets.size());
-  for (const auto& set : possibleSets) writeSteps(to, set);
+  for (std::uint32_t i = 0; i < possibleSets.size(); ++i) writeSteps(to, possibleSets.at(i));
   to.number(domainKeys.size());
   for (auto key : domainKeys) to.number(key);
 }
@@ -95,10 +95,8 @@ SetId ClassGraph::readClasses(CheckpointReader& from, std::uint64_t count) {
 
 void ClassGraph::readDomains(CheckpointReader& from) {
   const auto sets = from.number();
-  for (std::uint64_t i = 0; i < sets && !from.hasFailed(); ++i) {
-    possible = readSteps(from, kNone);
-    if (numberOfPossible() != i) from.fail();
-  }
+  for (std::uint64_t i = 0; i < sets && !from.hasFailed(); ++i)
+    if (!possibleSets.add(readSteps(from, kNone)).isNew) from.fail();
   const auto keys = from.number();
   for (std::uint64_t i = 0; i < keys && !from.hasFailed(); ++i)
     if (addDomain(from.number()) != i) from.fail();

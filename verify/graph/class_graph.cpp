@@ -1,28 +1,17 @@
 #include "verify/graph/class_graph.h"
 
 #include "verify/limits.h"
-#include "verify/state/evaluate.h"
 #include "verify/state/state_layout.h"
 
 #include <algorithm>
-#include <tuple>
 
 namespace proskill::verify {
 
 namespace {
 
-/// Whether a path may end in more than one location.
-bool branches(const Path& path) {
-  std::optional<std::uint32_t> first;
-  for (const auto& instruction : path.code) {
-    const bool isEnd = instruction.kind == InstructionKind::To;
-    if (!isEnd && instruction.kind != InstructionKind::Loop) continue;
-    const std::uint32_t end = isEnd ? instruction.last : path.location;
-    if (first.value_or(end) != end) return true;
-    first = end;
-  }
-  return false;
-}
+constexpr std::size_t kMarkingsOfChunk = 128; ///< for each thread
+constexpr std::size_t kMarkingsAtOnce = 4;    ///< that a thread takes from the chunk
+constexpr std::size_t kClaimsOfMarking = 4;   ///< on average; markings with more need no claims
 
 } // namespace
 
@@ -37,12 +26,9 @@ ClassGraph::ClassGraph(const System& of, LimitWatch& watch, GraphRecorder* to, C
       domains(of),
       images(domains, sets),
       markings(of),
-      state(of.words),
-      next(of.words),
-      received(of.words) {
-  for (const auto& transition : of.transitions)
-    branching.push_back(std::ranges::any_of(transition.parts,
-                                            [&](PathId part) { return branches(of.paths[part]); }));
+      state(of.words) {
+  expanders.push_back(
+      std::make_unique<MarkingExpander>(of, enabling, markings, watch, 0, to, shared));
   if (!ranks) return;
   exchange.emplace(*ranks, [this](unsigned, CheckpointReader& records) { receive(records); });
   lastSent.assign(ranks->count(), std::vector<Word>(of.words));
@@ -71,8 +57,8 @@ void ClassGraph::start() {
     failure.message = checkpoint->endEarlier(result.classes);
     return;
   }
-  std::vector<Word> first = initialState(system);
-  if (isElsewhere(first)) return;
+  const std::vector<Word> first = initialState(system);
+  if (ranks && ownerOf(*ranks, first) != ranks->self()) return;
   enabling.compute(first.data(), enabled);
   initial.marking = markings.add(first.data()).id;
   describe(enabled);
@@ -82,108 +68,176 @@ void ClassGraph::start() {
 
 /// Expands what waits, until nothing is left here, or a limit is met.
 void ClassGraph::explore() {
-  for (std::uint64_t count = 0; !waiting.empty(); ++count) {
+  try {
+    while (!waiting.empty() || ready.entered < ready.markings.size()) {
+      if (exchange) exchange->receive();
+      takeChunk();
+      prepareClaims();
+      if (jobs > 1)
+        team->inAll([this](std::size_t member) { work(member); });
+      else
+        work(0);
+      if (!result.stopped.empty()) break;
+      settleFresh();
+      if (!failure.message.empty()) break;
+    }
+  } catch (const LimitMet& limit) {
+    result.stopped = limit.which;
+  }
+  putBack();
+}
+
+/// Takes the markings that wait for the longest time.
+void ClassGraph::takeChunk() {
+  jobs = recorder || ranks ? 1 : limits.jobsFor(result.classes, waiting.size());
+  while (expanders.size() < jobs)
+    expanders.push_back(std::make_unique<MarkingExpander>(
+        system, enabling, markings, limits, static_cast<std::uint32_t>(expanders.size()), recorder,
+        ranks));
+  if (jobs > 1 && !team) team.emplace(jobs);
+  const std::size_t count = std::min(waiting.size(), kMarkingsOfChunk * jobs);
+  const auto end = waiting.begin() + static_cast<std::ptrdiff_t>(count);
+  fresh.markings.assign(waiting.begin(), end);
+  waiting.erase(waiting.begin(), end);
+  fresh.expanded.resize(std::max(fresh.expanded.size(), count));
+  fresh.makers.resize(fresh.expanded.size());
+  next = 0;
+}
+
+void ClassGraph::prepareClaims() {
+  RootTable& table = markings.roots;
+  if (table.prepareClaims(kClaimsOfMarking * fresh.markings.size())) {
+    table.startGrowth();
+    if (jobs > 1)
+      team->inAll([&](std::size_t member) { table.refill(member, team->size()); });
+    else
+      table.refill(0, 1);
+  }
+  claimants.resize(std::max(claimants.size(), table.claimCapacity()));
+  for (auto& expander : expanders) expander->startChunk(claimants);
+}
+
+/// Fires the domains of the chunk before, and expands this one. \throw LimitMet
+void ClassGraph::work(std::size_t member) try {
+  if (member == 0) enterReady();
+  expandFresh(member);
+} catch (...) {
+  next = fresh.markings.size(); // the others stop, too
+  throw;
+}
+
+void ClassGraph::expandFresh(std::size_t member) {
+  const std::size_t count = fresh.markings.size();
+  for (std::size_t from = next.fetch_add(kMarkingsAtOnce); from < count;
+       from = next.fetch_add(kMarkingsAtOnce)) {
+    const std::size_t end = std::min(count, from + kMarkingsAtOnce);
+    for (std::size_t i = from; i < end; ++i) {
+      fresh.makers[i] = static_cast<std::uint32_t>(member);
+      expanders[member]->expand(fresh.markings[i], fresh.expanded[i]);
+    }
+  }
+  expanders[member]->finish();
+}
+
+/// Numbers the markings after the steps from the chunk, as if one marking were expanded after the
+/// other.
+void ClassGraph::settleFresh() {
+  for (std::size_t i = 0; i < fresh.markings.size(); ++i) {
+    ExpandedMarking& expansion = fresh.expanded[i];
+    failure = expansion.failure;
+    if (!failure.message.empty()) return;
+    for (auto& step : expansion.steps)
+      if (step.marking == kNone && !step.isElsewhere) step.marking = numberOf(step, i);
+  }
+  std::swap(ready, fresh);
+  ready.entered = 0;
+  fresh.markings.clear();
+}
+
+/// The number of a marking that had none when the step was made. \param at index in the chunk
+std::uint32_t ClassGraph::numberOf(const MarkingStep& step, std::size_t at) {
+  if (step.claim == kNone) {
+    const auto [id, isNew] = markings.add(&fresh.expanded[at].words[step.words]);
+    if (isNew) describe(expanders[fresh.makers[at]]->translate(step.signature, domains));
+    return id;
+  }
+  const auto [id, isNew] = markings.roots.settle(step.claim);
+  const Claimant& by = claimants[step.claim];
+  if (isNew) describe(expanders[by.member]->translate(by.signature, domains));
+  return id;
+}
+
+/// Ends both chunks: what is left of them waits again.
+void ClassGraph::putBack() {
+  const auto all = allWaiting();
+  waiting.assign(all.begin(), all.end());
+  fresh.markings.clear();
+  ready.markings.clear();
+  ready.entered = 0;
+}
+
+/// The markings with domains that were not fired, in their order.
+std::vector<std::uint32_t> ClassGraph::allWaiting() const {
+  std::vector<std::uint32_t> all(
+      ready.markings.begin() + static_cast<std::ptrdiff_t>(ready.entered), ready.markings.end());
+  all.insert(all.end(), fresh.markings.begin(), fresh.markings.end());
+  all.insert(all.end(), waiting.begin(), waiting.end());
+  return all;
+}
+
+/// Fires the domains of the chunk that is expanded, or as many as the limits allow.
+void ClassGraph::enterReady() {
+  for (; ready.entered < ready.markings.size(); ++ready.entered) {
     constexpr std::uint64_t kBetweenChecks = 16;
-    if (count % kBetweenChecks == 0 && result.stopped.empty())
+    if (entries++ % kBetweenChecks == 0) {
       result.stopped = limits.met(progress(), growth());
-    if (!result.stopped.empty() || !failure.message.empty()) return;
-    if (checkpoint && count % kBetweenChecks == 0 && checkpoint->isDue()) save();
-    if (exchange && count % kBetweenChecks == 0) exchange->receive();
+      if (!result.stopped.empty()) next = fresh.markings.size();
+      if (!result.stopped.empty()) return;
+      if (checkpoint && checkpoint->isDue()) save();
+      if (exchange) exchange->receive();
+    }
     if (sets.isCrowded()) removeUnusedSets();
-    const std::uint32_t oldest = waiting.front();
-    waiting.pop_front();
-    expand(oldest);
+    prefetchNext();
+    enterNext();
   }
 }
 
-void ClassGraph::expand(std::uint32_t id) {
+/// Asks the processor to load what the next marking needs.
+void ClassGraph::prefetchNext() const {
+  const std::size_t i = ready.entered + 1;
+  if (i >= ready.markings.size()) return;
+  for (const auto& step : ready.expanded[i].steps) {
+    if (step.isElsewhere) continue;
+    signatures.prefetch(step.marking);
+    classes.prefetch(step.marking);
+    expanded.prefetch(step.marking);
+  }
+}
+
+/// Fires the domains of a marking that have come since it was expanded the last time.
+void ClassGraph::enterNext() {
+  const std::uint32_t id = ready.markings[ready.entered];
+  const ExpandedMarking& expansion = ready.expanded[ready.entered];
   const SetId all = classes.at(id);
   pending = sets.without(all, expanded.at(id));
   expanded.set(id, all);
   signature = signatures.at(id);
-  markings.read(id, state.data(), path);
-  enabling.compute(state.data(), enabled);
-  fireAll();
-  findTargets();
-  enterTargets(id);
-  noteDomains(numberOfPossible(), pending);
+  for (const auto& step : expansion.steps)
+    if (step.isElsewhere)
+      send(step);
+    else
+      fireDomains(id, step);
+  noteDomains(possibleSets.add(expansion.possible).id, pending);
 }
 
-/// Computes the markings after all transitions that are possible in the marking.
-void ClassGraph::fireAll() {
-  possible.clear();
-  successors.clear();
-  successorStates.clear();
-  eachIn(enabled, [&](TransitionId transition) {
-    if (enabling.isBlocked(transition, enabled) || !fireFromState(transition)) return;
-    if (isElsewhere(next)) return sendSuccessors(transition);
-    successors.push_back({transition, kNone, 0});
-    successorStates.insert(successorStates.end(), next.begin(), next.end());
-    if (recorder) successors.back().label = recorder->label(transition, log);
-  });
+void ClassGraph::fireDomains(std::uint32_t source, const MarkingStep& step) {
+  const auto image = images.of(pending, {signature, step.transition, signatures.at(step.marking)});
+  result.transitions += image.fired;
+  if (recorder) recordEdges(source, step);
+  if (image.fired > 0) enter(step.marking, image.domains);
 }
 
-/// Computes the marking after a transition, and notes what was possible. \return whether it is
-bool ClassGraph::fireFromState(TransitionId transition) {
-  next = state;
-  log.clear();
-  const Outcome outcome =
-      recorder ? fire(system, transition, next.data(), log) : fire(system, transition, next.data());
-  if (outcome == Outcome::Failed) noteFailure(transition);
-  if (outcome != Outcome::Done) return false;
-  notePossible(transition, next.data());
-  return true;
-}
-
-/// Says why a transition cannot be fired from the marking that is expanded.
-void ClassGraph::noteFailure(TransitionId transition) {
-  next = state;
-  log.clear();
-  std::ignore = fire(system, transition, next.data(), log);
-  failure = {log.failure, log.origins.empty() ? 0 : log.origins.back()};
-}
-
-void ClassGraph::notePossible(TransitionId transition, const Word* after) {
-  possible.push_back(transition);
-  if (!branching[transition]) return;
-  for (auto part : system.transitions[transition].parts) {
-    const auto& instance = system.instances[system.paths[part].instance];
-    possible.push_back(static_cast<std::uint32_t>(readCell(system, instance.location, after)));
-  }
-}
-
-/// Numbers the markings after the transitions. What they need from memory is asked for early.
-void ClassGraph::findTargets() {
-  const auto& roots = markings.rootsOf(successorStates, system.words, path);
-  for (const auto& root : roots) markings.roots.prefetchSlot(root);
-  for (const auto& root : roots) markings.roots.prefetchState(root);
-  for (std::size_t i = 0; i < successors.size(); ++i) {
-    Successor& step = successors[i];
-    const auto [id, isNew] = markings.roots.add(roots[i]);
-    step.marking = id;
-    if (isNew) {
-      nextEnabled = enabled;
-      enabling.update(step.transition, &successorStates[i * system.words], nextEnabled);
-      describe(nextEnabled);
-    }
-    signatures.prefetch(id);
-    classes.prefetch(id);
-    expanded.prefetch(id);
-  }
-}
-
-/// Fires the transitions from the pending domains.
-void ClassGraph::enterTargets(std::uint32_t source) {
-  for (const auto& step : successors) {
-    const auto image =
-        images.of(pending, {signature, step.transition, signatures.at(step.marking)});
-    result.transitions += image.fired;
-    if (recorder) recordEdges(source, step);
-    if (image.fired > 0) enter(step.marking, image.domains);
-  }
-}
-
-void ClassGraph::recordEdges(std::uint32_t source, const Successor& step) {
+void ClassGraph::recordEdges(std::uint32_t source, const MarkingStep& step) {
   sets.eachIn(pending, [&](ZoneId domain) {
     const ZoneId after =
         domains.after(domain, signature, step.transition, signatures.at(step.marking));
@@ -205,16 +259,6 @@ void ClassGraph::noteDomains(std::uint32_t possibleSet, SetId set) {
   sets.eachIn(set, [&](ZoneId domain) { addDomain(std::uint64_t{possibleSet} << 32 | domain); });
 }
 
-std::uint32_t ClassGraph::numberOfPossible() {
-  std::uint64_t hash = 0;
-  for (auto number : possible) hash = mix(hash, number);
-  const auto fresh = static_cast<std::uint32_t>(possibleSets.size());
-  auto set = possibleTable.findOrAdd(
-      hash, fresh, [&](std::uint32_t other) { return possibleSets[other] == possible; });
-  if (set == fresh) possibleSets.push_back(possible);
-  return set;
-}
-
 std::uint32_t ClassGraph::addDomain(std::uint64_t key) {
   const auto count = static_cast<std::uint32_t>(domainKeys.size());
   auto found = domainTable.findOrAdd(mix(0, key), count,
@@ -223,17 +267,13 @@ std::uint32_t ClassGraph::addDomain(std::uint64_t key) {
   return found;
 }
 
-std::uint32_t ClassGraph::signatureOf(const TransitionSet& allowed) {
-  std::vector<TransitionId> clocked;
-  eachIn(allowed, [&](TransitionId transition) {
-    if (system.transitions[transition].clock != kNone) clocked.push_back(transition);
-  });
-  return domains.signature(enabling.isUrgent(allowed), clocked);
+void ClassGraph::describe(const TransitionSet& allowed) {
+  describe(signatureOf(allowed, system, enabling, domains));
 }
 
 /// Adds what belongs to the newest marking.
-void ClassGraph::describe(const TransitionSet& allowed) {
-  signatures.push(signatureOf(allowed));
+void ClassGraph::describe(std::uint32_t ofMarking) {
+  signatures.push(ofMarking);
   classes.push(NumberSets::kEmpty);
   expanded.push(NumberSets::kEmpty);
 }
@@ -265,7 +305,7 @@ void ClassGraph::removeUnusedSets() {
 std::uint64_t ClassGraph::bytes() const {
   return markings.bytes() + sets.bytes() + images.bytes() + domains.bytes() + noted.bytes() +
          signatures.bytes() + classes.bytes() + expanded.bytes() +
-         waiting.size() * sizeof(std::uint32_t) + domainTable.bytes() +
+         waiting.size() * sizeof(std::uint32_t) + domainTable.bytes() + possibleSets.bytes() +
          domainKeys.capacity() * sizeof(std::uint64_t) + (recorder ? recorder->bytes() : 0) +
          (exchange ? exchange->bytes() : 0);
 }
@@ -273,12 +313,12 @@ std::uint64_t ClassGraph::bytes() const {
 /// Bytes that the next few expansions may allocate at once.
 std::uint64_t ClassGraph::growth() const {
   return markings.growth() + sets.growth() + images.growth() + noted.growth(sets.end()) +
-         domains.growth() + domainTable.growth() + growthOf(domainKeys) + possibleTable.growth() +
-         growthOf(possibleSets);
+         domains.growth() + domainTable.growth() + growthOf(domainKeys) + possibleSets.growth();
 }
 
 Progress ClassGraph::progress() const {
-  return {result.classes, result.markings, waiting.size(), bytes(), limits.seconds()};
+  const std::size_t left = ready.markings.size() - ready.entered + fresh.markings.size();
+  return {result.classes, result.markings, left + waiting.size(), bytes(), limits.seconds()};
 }
 
 } // namespace proskill::verify

@@ -2,14 +2,15 @@
 
 #include "verify/checkpoint/checkpoint.h"
 #include "verify/graph/domain_images.h"
-#include "verify/graph/graph_recorder.h"
+#include "verify/graph/marking_expander.h"
+#include "verify/graph/number_lists.h"
 #include "verify/graph/number_sets.h"
 #include "verify/ranks/distinct_count.h"
 #include "verify/space/column.h"
 #include "verify/space/state_tree.h"
-#include "verify/state/enabled.h"
-#include "verify/state/firing_domains.h"
+#include "verify/threads/team.h"
 
+#include <atomic>
 #include <deque>
 #include <variant>
 
@@ -18,6 +19,10 @@ namespace proskill::verify {
 /// Builds the graph of state classes. The domains of a marking are a set, and sets are fired as a
 /// whole: markings have few different ones. Domains that are found after their marking was expanded
 /// wait until it is expanded again.
+///
+/// Markings are expanded in chunks, if there are many by several threads. Meanwhile the first
+/// thread fires the domains of the chunk before. The order of the markings does not depend on
+/// either.
 ///
 /// Several ranks count a graph together: each has the classes of the markings whose hashes name it,
 /// and sends the others their classes.
@@ -37,28 +42,34 @@ public:
   [[nodiscard]] StateGraph recorded() const { return recorder->graph(initial, markings); }
 
 private:
-  /// A transition that is possible in the marking that is expanded.
-  struct Successor {
-    TransitionId transition = 0;
-    std::uint32_t marking = kNone; ///< once it is known
-    std::uint32_t label = 0;       ///< for the recorder
+  /// Markings that are expanded together.
+  struct Chunk {
+    std::vector<std::uint32_t> markings;
+    std::vector<ExpandedMarking> expanded; ///< by marking of the chunk
+    std::vector<std::uint32_t> makers;     ///< by marking of the chunk: number of the expander
+    std::size_t entered = 0;               ///< markings whose domains are fired
   };
 
   void start();
   void explore();
-  void expand(std::uint32_t id);
-  void fireAll();
-  [[nodiscard]] bool fireFromState(TransitionId transition);
-  void noteFailure(TransitionId transition);
-  void notePossible(TransitionId transition, const Word* after);
-  void findTargets();
-  void enterTargets(std::uint32_t source);
-  void recordEdges(std::uint32_t source, const Successor& step);
+  void takeChunk();
+  void prepareClaims();
+  void work(std::size_t member);
+  void expandFresh(std::size_t member);
+  void settleFresh();
+  [[nodiscard]] std::uint32_t numberOf(const MarkingStep& step, std::size_t at);
+  void putBack();
+  [[nodiscard]] std::vector<std::uint32_t> allWaiting() const;
+
+  void enterReady();
+  void enterNext();
+  void prefetchNext() const;
+  void fireDomains(std::uint32_t source, const MarkingStep& step);
+  void recordEdges(std::uint32_t source, const MarkingStep& step);
   void noteDomains(std::uint32_t possibleSet, SetId set);
-  std::uint32_t numberOfPossible();
   std::uint32_t addDomain(std::uint64_t key);
-  [[nodiscard]] std::uint32_t signatureOf(const TransitionSet& allowed);
   void describe(const TransitionSet& allowed);
+  void describe(std::uint32_t signature);
   void enter(std::uint32_t marking, SetId more);
   void removeUnusedSets();
   [[nodiscard]] std::uint64_t bytes() const;
@@ -75,9 +86,7 @@ private:
   void readDomains(CheckpointReader& from);
 
   // ranks
-  [[nodiscard]] bool isElsewhere(const std::vector<Word>& marking) const;
-  [[nodiscard]] unsigned ownerOf(const std::vector<Word>& marking) const;
-  void sendSuccessors(TransitionId transition);
+  void send(const MarkingStep& step);
   void receive(CheckpointReader& records);
   void receiveRecord(CheckpointReader& records);
   [[nodiscard]] bool isRoundLeft();
@@ -94,14 +103,12 @@ private:
   FiringDomains domains;
   NumberSets sets;
   DomainImages images;
-  std::vector<bool> branching; ///< by transition: whether its parts may end in several locations
   StateTree markings;
   Column signatures; ///< by marking, as the next two
   Column classes;    ///< sets of domains
   Column expanded;   ///< those of them that are expanded
   std::deque<std::uint32_t> waiting;
-  std::vector<std::vector<std::uint32_t>> possibleSets;
-  NumberTable possibleTable;
+  NumberLists possibleSets;              ///< see ExpandedMarking
   std::vector<std::uint64_t> domainKeys; ///< domains, with the transitions for which they hold
   NumberTable domainTable;
   RecentResults<std::monostate> noted; ///< sets of domains whose keys are known
@@ -109,22 +116,21 @@ private:
   Unsupported failure;
   GraphRecorder::Class initial;
 
-  SetId pending = NumberSets::kEmpty; ///< the domains of the marking that is expanded
+  std::vector<std::unique_ptr<MarkingExpander>> expanders; ///< the first is of the calling thread
+  std::optional<Team> team;                                ///< once there is much to do
+  unsigned jobs = 1;                                       ///< threads for the chunk
+  Chunk fresh;                                             ///< that is being expanded
+  Chunk ready;                        ///< expanded, with numbers of the markings after its steps
+  std::atomic<std::size_t> next{0};   ///< the first marking of `fresh` that nobody works at
+  std::vector<Claimant> claimants;    ///< by claim
+  std::uint64_t entries = 0;          ///< markings whose domains were fired
+  SetId pending = NumberSets::kEmpty; ///< the domains of the marking that is fired from
   std::uint32_t signature = 0;        ///< that of this marking
-  StateTree::Path path;               ///< its nodes
-  std::vector<Word> state;
-  TransitionSet enabled;
-  std::vector<std::uint32_t> possible; ///< its transitions, and where they lead if they branch
-  std::vector<Successor> successors;
-  std::vector<Word> successorStates;
-  std::vector<Word> next;
-  TransitionSet nextEnabled;
-  StepLog log;
 
   std::optional<Exchange> exchange;
   std::vector<std::vector<Word>> lastSent; ///< by rank: the last marking of the message being made
-  std::vector<Word> received;
-  TransitionSet receivedEnabled;
+  std::vector<Word> state;
+  TransitionSet enabled;
 };
 
 } // namespace proskill::verify

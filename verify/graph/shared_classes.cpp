@@ -10,30 +10,20 @@
 /// How several ranks count the classes of one graph.
 namespace proskill::verify {
 
-bool ClassGraph::isElsewhere(const std::vector<Word>& marking) const {
-  return ranks && ownerOf(marking) != ranks->self();
-}
-
-unsigned ClassGraph::ownerOf(const std::vector<Word>& marking) const {
-  std::uint64_t hash = 0;
-  for (const auto word : marking) hash = mix(hash, word);
-  hash = mix(hash, hash >> 32);
-  return static_cast<unsigned>((hash >> 32) * ranks->count() >> 32);
-}
-
-/// Sends the classes that follow the pending ones in the marking `next`.
-void ClassGraph::sendSuccessors(TransitionId transition) {
-  nextEnabled = enabled;
-  enabling.update(transition, next.data(), nextEnabled);
-  const auto image = images.of(pending, {signature, transition, signatureOf(nextEnabled)});
+/// Sends the classes that follow the pending ones in the marking of another rank.
+void ClassGraph::send(const MarkingStep& step) {
+  const std::uint32_t after = expanders[0]->translate(step.signature, domains);
+  const auto image = images.of(pending, {signature, step.transition, after});
   if (image.fired == 0) return;
   result.transitions += image.fired;
-  const unsigned owner = ownerOf(next);
+  const auto marking =
+      std::span(ready.expanded[ready.entered].words).subspan(step.words, system.words);
+  const unsigned owner = ownerOf(*ranks, marking);
   auto& last = lastSent[owner];
   if (exchange->isNew(owner)) std::ranges::fill(last, 0);
   exchange->add(owner, [&](CheckpointWriter& record) {
-    writeState(record, last.data(), next.data(), system.words);
-    last = next;
+    writeState(record, last.data(), marking.data(), system.words);
+    last.assign(marking.begin(), marking.end());
     record.number(sets.sizeOf(image.domains));
     sets.eachIn(image.domains, [&](ZoneId domain) {
       writeZone(record, domains.zones().dimension(domain), domains.zones().matrix(domain));
@@ -45,16 +35,16 @@ void ClassGraph::sendSuccessors(TransitionId transition) {
 void ClassGraph::receive(CheckpointReader& records) {
   if (result.stopped.empty()) result.stopped = limits.met(progress());
   if (!result.stopped.empty()) return;
-  std::ranges::fill(received, 0);
+  std::ranges::fill(state, 0);
   while (records.flag()) receiveRecord(records);
 }
 
 void ClassGraph::receiveRecord(CheckpointReader& records) {
-  readState(records, received.data(), system.words);
-  const auto [id, isNew] = markings.add(received.data());
+  readState(records, state.data(), system.words);
+  const auto [id, isNew] = markings.add(state.data());
   if (isNew) {
-    enabling.compute(received.data(), receivedEnabled);
-    describe(receivedEnabled);
+    enabling.compute(state.data(), enabled);
+    describe(enabled);
   }
   SetId reached = NumberSets::kEmpty;
   for (auto left = records.number(); left > 0; --left) {
@@ -106,7 +96,7 @@ void ClassGraph::addUp() {
 std::uint64_t ClassGraph::domainsOfAll(DistinctCount& distinct) const {
   for (const auto key : domainKeys) {
     const std::string item = bytesOf([&](CheckpointWriter& to) {
-      writeSteps(to, possibleSets[key >> 32]);
+      writeSteps(to, possibleSets.at(static_cast<std::uint32_t>(key >> 32)));
       const auto domain = static_cast<ZoneId>(key);
       writeZone(to, domains.zones().dimension(domain), domains.zones().matrix(domain));
     });

@@ -49,7 +49,8 @@ std::expected<Exploration, Unsupported> SpilledClasses::run() {
 void SpilledClasses::explore() {
   const std::vector<Word> first = initialState(system);
   enabling.compute(first.data(), enabled);
-  candidates.add(first.data(), domains.initial(signatureOf(enabled)), {});
+  candidates.add(first.data(), domains.initial(signatureOf(enabled, system, enabling, domains)),
+                 {});
   for (Run level = settle(); level->size() != 0 && failure.message.empty(); level = settle())
     expandLevel(*level);
 }
@@ -82,7 +83,7 @@ void SpilledClasses::expand(const StateGroup& group) {
   state = group.state;
   state.resize(system.words);
   enabling.compute(state.data(), enabled);
-  const std::uint32_t signature = signatureOf(enabled);
+  const std::uint32_t signature = signatureOf(enabled, system, enabling, domains);
   possible.clear();
   eachIn(enabled, [&](TransitionId transition) {
     if (!enabling.isBlocked(transition, enabled)) follow(signature, transition);
@@ -106,7 +107,7 @@ void SpilledClasses::follow(std::uint32_t signature, TransitionId transition) {
         static_cast<std::uint32_t>(readCell(system, instance.location, next.data())));
   }
   enabling.update(transition, next.data(), nextEnabled);
-  const std::uint32_t after = signatureOf(nextEnabled);
+  const std::uint32_t after = signatureOf(nextEnabled, system, enabling, domains);
   for (const auto domain : pending) {
     const ZoneId there = domains.after(domain, signature, transition, after);
     if (there == kNone) continue;
@@ -115,23 +116,10 @@ void SpilledClasses::follow(std::uint32_t signature, TransitionId transition) {
   }
 }
 
-std::uint32_t SpilledClasses::signatureOf(const TransitionSet& allowed) {
-  std::vector<TransitionId> clocked;
-  eachIn(allowed, [&](TransitionId transition) {
-    if (system.transitions[transition].clock != kNone) clocked.push_back(transition);
-  });
-  return domains.signature(enabling.isUrgent(allowed), clocked);
-}
-
 /// Domains are counted with the sets of possible transitions and their targets.
 void SpilledClasses::noteDomains() {
-  std::uint64_t hash = 0;
-  for (const auto number : possible) hash = mix(hash, number);
-  const auto fresh = static_cast<std::uint32_t>(possibleSets.size());
-  const auto set = possibleTable.findOrAdd(
-      hash, fresh, [&](std::uint32_t other) { return possibleSets[other] == possible; });
-  if (set == fresh) possibleSets.push_back(possible);
-  if (set == fresh) notedBytes += kBytesOfNoted + possible.size() * sizeof possible[0];
+  const auto [set, isNew] = possibleSets.add(possible);
+  if (isNew) notedBytes += kBytesOfNoted + possible.size() * sizeof possible[0];
   for (const auto domain : pending) noteDomain(set, domain);
 }
 
@@ -153,8 +141,7 @@ void SpilledClasses::forgetIfMany() {
   const bool isFull = bytes > space.memoryBytes() / kShareOfDomains;
   if (isFull || notedBytes > space.memoryBytes() / kShareOfNoted) {
     release(noted);
-    release(possibleSets);
-    possibleTable = {};
+    possibleSets.clear();
     notedBytes = 0;
   }
   if (!isFull) return;

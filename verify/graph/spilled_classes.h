@@ -1,5 +1,6 @@
 #pragma once
 
+#include "verify/graph/number_lists.h"
 #include "verify/limits.h"
 #include "verify/spill/item_sorter.h"
 #include "verify/spill/visited_states.h"
@@ -29,7 +30,6 @@ private:
   void expandLevel(const VisitedRun& level);
   void expand(const StateGroup& group);
   void follow(std::uint32_t signature, TransitionId transition);
-  [[nodiscard]] std::uint32_t signatureOf(const TransitionSet& allowed);
   void noteDomains();
   void noteDomain(std::uint32_t set, ZoneId domain);
   void forgetIfMany();
@@ -51,8 +51,7 @@ private:
   std::vector<ZoneId> pending;         ///< the domains of the marking that is expanded
   std::vector<std::uint32_t> possible; ///< its transitions and their target locations
   // what possibleDomains is known to have:
-  std::vector<std::vector<std::uint32_t>> possibleSets;
-  NumberTable possibleTable;
+  NumberLists possibleSets;
   std::unordered_set<std::uint64_t> noted; ///< the number of a set, and of a domain
   std::uint64_t notedBytes = 0;            ///< about, of all these
   ByteText text;

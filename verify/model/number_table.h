@@ -45,6 +45,11 @@ public:
   }
   /// Asks the processor to load what the other functions will look at.
   void prefetch(std::uint64_t hash) const { __builtin_prefetch(&slots[placeOf(tagOf(hash))]); }
+  /// What find() probably returns for the hash: kNone, if that is not known yet.
+  [[nodiscard]] std::uint32_t guess(std::uint64_t hash) const {
+    const Slot& slot = slots[placeOf(tagOf(hash))];
+    return slot.tag == tagOf(hash) ? slot.number : kNone;
+  }
   [[nodiscard]] std::uint64_t bytes() const { return slots.capacity() * sizeof(Slot); }
   [[nodiscard]] std::uint64_t growth() const {
     return (used + kBetweenGrowthChecks) * 4 > slots.size() * 3 ? 2 * bytes() : 0;

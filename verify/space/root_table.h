@@ -75,6 +75,8 @@ public:
   /// \param most number of claims that are wanted at most
   /// \return whether the table has to grow before claims can be made
   [[nodiscard]] bool prepareClaims(std::size_t most);
+  /// The claims that can be made are below this.
+  [[nodiscard]] std::size_t claimCapacity() const { return claims.size(); }
   /// Grows the table. Afterwards refill() must be called for each of `parts` parts, before anything
   /// else; several threads may do so at once.
   void startGrowth();

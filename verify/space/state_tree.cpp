@@ -88,31 +88,36 @@ std::optional<SoughtRoot> StateTree::findRoot(const Word* state, Path& path) con
               [&](std::size_t node, std::uint64_t key) { return nodes[node].find(key); });
 }
 
-const std::vector<SoughtRoot>& StateTree::rootsOf(std::span<const Word> states, std::size_t stride,
-                                                  const Path& near) {
+const std::vector<std::optional<SoughtRoot>>& StateTree::findRoots(std::span<const Word> states,
+                                                                   std::size_t stride,
+                                                                   const Path& near,
+                                                                   Group& group) const {
   const std::size_t count = states.size() / stride;
   group.keys.resize(count);
   group.ids.resize(count * nodes.size());
   const auto idsOf = [&](std::uint32_t node) { return &group.ids[node * count]; };
   for (std::uint32_t i = 0; i < leaves; ++i) {
     for (std::size_t k = 0; k < count; ++k) group.keys[k] = leaf(&states[k * stride], i);
-    addNodes(i, near);
+    findNodes(i, near, group);
   }
   for (std::size_t i = 0; i + 1 < joins.size(); ++i) {
     const std::uint32_t* left = idsOf(joins[i].left);
     const std::uint32_t* right = idsOf(joins[i].right);
     for (std::size_t k = 0; k < count; ++k) group.keys[k] = std::uint64_t{left[k]} << 32 | right[k];
-    addNodes(leaves + i, near);
+    findNodes(leaves + i, near, group);
   }
   group.roots.resize(count);
-  for (std::size_t k = 0; k < count; ++k)
-    group.roots[k] = SoughtRoot({idsOf(joins.back().left)[k], idsOf(joins.back().right)[k]});
+  for (std::size_t k = 0; k < count; ++k) {
+    const Root root{idsOf(joins.back().left)[k], idsOf(joins.back().right)[k]};
+    const bool isKnown = root.left != kNone && root.right != kNone;
+    group.roots[k] = isKnown ? std::optional(SoughtRoot(root)) : std::nullopt;
+  }
   return group.roots;
 }
 
-/// Numbers a node of all states of the group. The processor loads what it needs for one while it
-/// looks at others.
-void StateTree::addNodes(std::size_t node, const Path& near) {
+/// Finds the number of a node of all states of the group; kNone where it has none, as then no node
+/// above it has one. The processor loads what it needs for one while it looks at others.
+void StateTree::findNodes(std::size_t node, const Path& near, Group& group) const {
   std::uint32_t* ids = &group.ids[node * group.keys.size()];
   group.other.clear();
   for (std::uint32_t k = 0; k < group.keys.size(); ++k) {
@@ -121,7 +126,8 @@ void StateTree::addNodes(std::size_t node, const Path& near) {
     nodes[node].prefetch(group.keys[k]);
     group.other.push_back(k);
   }
-  for (auto k : group.other) ids[k] = nodes[node].add(group.keys[k]);
+  for (auto k : group.other) nodes[node].prefetchKey(group.keys[k]);
+  for (auto k : group.other) ids[k] = nodes[node].find(group.keys[k]);
 }
 
 void StateTree::read(StateId id, Word* state) const {

@@ -32,12 +32,21 @@ public:
   /// The same without adding anything; nothing if the state is certainly not stored. Several
   /// threads may call this at once, with paths of their own.
   [[nodiscard]] std::optional<SoughtRoot> findRoot(const Word* state, Path& path) const;
-  /// The roots of states that differ little from another one, faster than one by one.
+  /// Room for looking up states together.
+  struct Group {
+    std::vector<std::uint32_t> ids;   ///< by node, then by state
+    std::vector<std::uint64_t> keys;  ///< by state: of the node that is looked up
+    std::vector<std::uint32_t> other; ///< states that differ in it
+    std::vector<std::optional<SoughtRoot>> roots;
+  };
+  /// What findRoot() returns for states that differ little from another one, faster than one by
+  /// one. Several threads may call this at once, with groups of their own.
   /// \param states one after the other, all their words
   /// \param stride words of each
   /// \param near the nodes of the other one, as read() returns them
-  [[nodiscard]] const std::vector<SoughtRoot>& rootsOf(std::span<const Word> states,
-                                                       std::size_t stride, const Path& near);
+  /// \return `group.roots`
+  const std::vector<std::optional<SoughtRoot>>&
+  findRoots(std::span<const Word> states, std::size_t stride, const Path& near, Group& group) const;
   using Added = RootTable::Added;
   Added add(const Word* state) { return roots.add(rootOf(state)); }
   /// The number of a state; kNone if it is not stored. Several threads may call this at once.
@@ -68,13 +77,18 @@ private:
     }
     std::uint32_t add(std::uint64_t key);
     void prefetch(std::uint64_t key) const { table.prefetch(hash(key)); }
+    /// The same with what find() looks at after that.
+    void prefetchKey(std::uint64_t key) const {
+      const std::uint32_t id = table.guess(hash(key));
+      if (id != kNone) __builtin_prefetch(&keys[id]);
+    }
     [[nodiscard]] std::uint32_t find(std::uint64_t key) const;
   };
 
   template <class Number>
   std::optional<SoughtRoot> walk(const Word* state, Path& path, Number number) const;
   [[nodiscard]] std::uint64_t leaf(const Word* state, std::uint32_t i) const;
-  void addNodes(std::size_t node, const Path& near);
+  void findNodes(std::size_t node, const Path& near, Group& group) const;
   void readNodes(StateId id, std::uint32_t* numbers) const;
   void readWords(const std::uint32_t* numbers, Word* state) const;
 
@@ -84,14 +98,6 @@ private:
   std::vector<Join> joins;
   std::vector<Numbers> nodes; ///< of leaves, then of joins
   Path last;
-  /// States that are looked up together.
-  struct Group {
-    std::vector<std::uint32_t> ids;   ///< by node, then by state
-    std::vector<std::uint64_t> keys;  ///< by state: of the node that is looked up
-    std::vector<std::uint32_t> other; ///< states that differ in it
-    std::vector<SoughtRoot> roots;
-  };
-  Group group;
 };
 
 } // namespace proskill::verify

@@ -28,13 +28,16 @@ std::uint32_t FiringDomains::signature(bool urgent, const std::vector<Transition
   std::ranges::sort(made.delays);
   auto twice = std::ranges::unique(made.delays);
   made.delays.erase(twice.begin(), twice.end());
-  std::uint64_t hash = mix(0, urgent);
-  for (auto delay : made.delays) hash = mix(hash, delay);
+  return signatureNumber(std::move(made));
+}
+
+std::uint32_t FiringDomains::signatureNumber(Signature of) {
+  std::uint64_t hash = mix(0, of.urgent);
+  for (auto delay : of.delays) hash = mix(hash, delay);
   const auto next = static_cast<std::uint32_t>(signatures.size());
-  auto id = table.findOrAdd(hash, next, [&](std::uint32_t other) {
-    return signatures[other].urgent == urgent && signatures[other].delays == made.delays;
-  });
-  if (id == next) signatures.push_back(std::move(made));
+  auto id =
+      table.findOrAdd(hash, next, [&](std::uint32_t other) { return signatures[other] == of; });
+  if (id == next) signatures.push_back(std::move(of));
   return id;
 }
 

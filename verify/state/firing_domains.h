@@ -18,6 +18,10 @@ public:
   /// A number for everything in a discrete state that affects time.
   /// \param enabled clocked transitions, ascending
   [[nodiscard]] std::uint32_t signature(bool urgent, const std::vector<TransitionId>& enabled);
+  /// The number of the same signature here.
+  [[nodiscard]] std::uint32_t adopt(const FiringDomains& other, std::uint32_t signature) {
+    return signatureNumber(other.signatures[signature]);
+  }
   [[nodiscard]] ZoneId initial(std::uint32_t signature);
   /// The domain after `transition` fires; kNone if it cannot fire first.
   [[nodiscard]] ZoneId after(ZoneId domain, std::uint32_t before, TransitionId transition,
@@ -48,8 +52,10 @@ private:
   struct Signature {
     bool urgent = false;
     std::vector<Delay> delays; ///< ascending; this is the order of the matrix
+    friend bool operator==(const Signature&, const Signature&) = default;
   };
 
+  [[nodiscard]] std::uint32_t signatureNumber(Signature of);
   ZoneId calculate(ZoneId domain, std::uint32_t before, TransitionId transition,
                    std::uint32_t after);
   /// Makes the moment at which the transition fires the new 0. Returns false if it cannot fire.
