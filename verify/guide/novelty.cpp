@@ -2,25 +2,34 @@
 
 #include "verify/state/evaluate.h"
 
+#include <algorithm>
+
 namespace proskill::verify {
 
 namespace {
 
-constexpr std::int64_t kMostOfCell = 256;  ///< values of a cell
-constexpr std::size_t kMostInPairs = 8192; ///< values of all cells: a bit for each pair
+constexpr std::int64_t kMostOfNumber = 256;  ///< values of a cell that is not a location
+constexpr std::size_t kMostInPairs = 32'768; ///< values of all cells: a bit for each pair
+
+Bits locationsOf(const System& system) {
+  Bits cells;
+  for (const auto& instance : system.instances) cells.insert(instance.location);
+  return cells;
+}
 
 } // namespace
 
 Novelty::Novelty(const System& laidOut) : system(laidOut) {
+  const Bits locations = locationsOf(system);
   for (CellId i = 0; i < system.cells.size(); ++i) {
     const Cell& cell = system.cells[i];
     const auto size = cell.high - cell.low + 1;
-    if (cell.mask == 0 || size < 2 || size > kMostOfCell) continue;
+    if (cell.mask == 0 || size < 2 || (size > kMostOfNumber && !locations.contains(i))) continue;
     tracked.push_back({i, count});
     count += static_cast<std::uint32_t>(size);
   }
   values.resize(tracked.size());
-  if (count <= kMostInPairs) pairs.resize(std::size_t{count} * count);
+  if (count <= kMostInPairs) pairs.resize(count);
 }
 
 void Novelty::readValues(const Word* state) {
@@ -60,10 +69,12 @@ Novelty::Degree Novelty::seePair(const Word* state) {
   return degree;
 }
 
-bool Novelty::isNewPair(std::size_t one, std::size_t other) {
-  const auto at = one < other ? one * count + other : other * count + one;
-  if (pairs[at]) return false;
-  return pairs[at] = true;
+bool Novelty::isNewPair(std::uint32_t one, std::uint32_t other) {
+  auto& row = pairs[std::max(one, other)];
+  row.resize(std::max(one, other) + std::size_t{1});
+  const auto at = std::min(one, other);
+  if (row[at]) return false;
+  return row[at] = true;
 }
 
 } // namespace proskill::verify

@@ -35,12 +35,13 @@ private:
   };
 
   void readValues(const Word* state);
-  [[nodiscard]] bool isNewPair(std::size_t one, std::size_t other);
+  [[nodiscard]] bool isNewPair(std::uint32_t one, std::uint32_t other);
 
   const System& system;
   std::vector<Tracked> tracked;
-  std::uint32_t count = 0;                         ///< of values of all cells
-  std::vector<bool> pairs;                         ///< by two values; empty: too many
+  std::uint32_t count = 0;              ///< of values of all cells
+  std::vector<std::vector<bool>> pairs; ///< by the greater and the smaller of two values, once the
+                                        ///< greater was seen; empty: too many values
   std::map<std::uint32_t, std::vector<bool>> seen; ///< by group and value
   std::vector<std::uint32_t> values; ///< of the state that was read last, by tracked cell
   std::vector<std::uint32_t> before; ///< of the state that is expanded

@@ -53,6 +53,29 @@ TEST_CASE("a state is new by a value, by a pair of values, or not at all") {
   CHECK(seen.pair(1, 1) == Novelty::Degree::None);
 }
 
+TEST_CASE("the location of a long mission counts, a wide number does not") {
+  constexpr std::int64_t kLast = 9'999;
+  verify::System system;
+  for (const auto* name : {"location", "number", "flag"})
+    system.cells.push_back({.name = name, .high = kLast});
+  system.cells[2].high = 1;
+  system.instances.push_back({.name = "mission", .location = 0});
+  system = verify::withStateLayout(system);
+  Novelty novelty(system);
+  const auto degreeOf = [&](std::int64_t location, std::int64_t number, std::int64_t flag) {
+    std::vector<verify::Word> words(system.words);
+    verify::writeCell(system, 0, location, words.data());
+    verify::writeCell(system, 1, number, words.data());
+    verify::writeCell(system, 2, flag, words.data());
+    return novelty.seePair(words.data());
+  };
+  CHECK(degreeOf(0, 0, 0) == Novelty::Degree::Value);
+  CHECK(degreeOf(kLast, 0, 0) == Novelty::Degree::Value);
+  CHECK(degreeOf(0, 0, 1) == Novelty::Degree::Value);
+  CHECK(degreeOf(kLast, 0, 1) == Novelty::Degree::Pair);
+  CHECK(degreeOf(kLast, kLast, 1) == Novelty::Degree::None);
+}
+
 TEST_CASE("values are new in each group of states") {
   Seen seen;
   CHECK(seen.value(1, 2, 0) == Novelty::Degree::Value);
