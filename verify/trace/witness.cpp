@@ -34,6 +34,31 @@ struct Rewritten {
   }
 };
 
+/// A state of the system and its enabled transitions, which steps change.
+class FollowedState {
+public:
+  FollowedState(const System& of, const Enabling& with)
+      : system(of), enabling(with), state(initialState(of)) {
+    enabling.compute(state.data(), enabled);
+  }
+
+  /// \return whether the step was possible; otherwise this has no meaning any more
+  bool take(TransitionId id) {
+    if (fire(system, id, state.data()) != Outcome::Done) return false;
+    enabling.update(id, state.data(), enabled);
+    return true;
+  }
+
+  [[nodiscard]] const Word* words() const { return state.data(); }
+  [[nodiscard]] bool isUrgent() const { return enabling.isUrgent(enabled); }
+
+private:
+  const System& system;
+  const Enabling& enabling;
+  std::vector<Word> state;
+  TransitionSet enabled;
+};
+
 /// By step: whether the monitor moves with it, so that it cannot be removed.
 std::vector<bool> readSteps(const Evidence& evidence) {
   std::vector<bool> read(evidence.steps.size());
@@ -190,36 +215,31 @@ Evidence Witness::lazily(const Goal& goal, const Evidence& evidence) const {
   const bool valuesAtEnd = goal.kind == GoalKind::Stuck;
   const bool lastIsAskedFor = !valuesAtEnd && goal.kind != GoalKind::Run;
   const std::vector<bool> read = readSteps(evidence);
-  StepLog log;
-  std::vector<Word> there = initialState(system); // as in the search
-  std::vector<Word> here = there;
+  FollowedState there(system, enabling); // as in the search
+  FollowedState here(system, enabling);
   Rewritten made;
-  const auto urgent = [&](const std::vector<Word>& state) {
-    TransitionSet enabled;
-    enabling.compute(state.data(), enabled);
-    return enabling.isUrgent(enabled);
-  };
   const auto take = [&](TransitionId id) {
     limits.check();
     made.steps.push_back(id);
-    return fire(system, id, here.data(), log) == Outcome::Done;
+    return here.take(id);
   };
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const TransitionId step = steps[i];
     const bool stays = read[i] || (lastIsAskedFor && i + 1 == steps.size());
     if (open->isSetter(step) && !stays) {
-      if (fire(system, step, there.data(), log) != Outcome::Done) return evidence;
+      if (!there.take(step)) return evidence;
     } else {
-      for (auto setter : open->between(here.data(), there.data(), open->readBy(step))) take(setter);
-      if (!take(step) || fire(system, step, there.data(), log) != Outcome::Done) return evidence;
+      for (auto setter : open->between(here.words(), there.words(), open->readBy(step)))
+        take(setter);
+      if (!take(step) || !there.take(step)) return evidence;
     }
     made.endStep();
-    if (urgent(here) && !urgent(there))
-      for (auto setter : open->between(here.data(), there.data())) take(setter);
+    if (here.isUrgent() && !there.isUrgent())
+      for (auto setter : open->between(here.words(), there.words())) take(setter);
     made.endPlace();
   }
   if (valuesAtEnd)
-    for (auto setter : open->between(here.data(), there.data())) take(setter);
+    for (auto setter : open->between(here.words(), there.words())) take(setter);
   return made.of(evidence);
 }
 
