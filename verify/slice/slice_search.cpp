@@ -42,7 +42,9 @@ bool isAlwaysPossible(const System& system, TransitionId id) {
 
 } // namespace
 
-bool isSmallPart(const Bits& cone, const Bits& all) { return cone.count() * 4 <= all.count() * 3; }
+std::size_t mostInSmallPart(const Bits& all) { return all.count() * 3 / 4; }
+
+bool isSmallPart(const Bits& cone, const Bits& all) { return cone.count() <= mostInSmallPart(all); }
 
 SliceSearch::SliceSearch(const System& system, const System& laidOut,
                          const fiacre::Provenance& origins, Takes may, LimitWatch& watch,
@@ -105,21 +107,22 @@ bool SliceSearch::neverDeadlocks(Exploration& statistics) {
 bool SliceSearch::neverStopsTime(Exploration& statistics) {
   const Goal goal{.kind = GoalKind::Stuck};
   const auto parts = recurrentParts(whole, slicer, limits);
+  const auto most = mostInSmallPart(slicer.moving());
   return parts && std::ranges::all_of(*parts, [&](const SliceSeeds& seeds) {
-           return isSmallPart(slicer.cone(seeds), slicer.moving()) &&
-                  isNever(slicer.slice(seeds), goal, statistics);
+           return slicer.coneWithin(seeds, most) && isNever(slicer.slice(seeds), goal, statistics);
          });
 }
 
 /// Groups goals, the largest cones first.
 std::vector<SliceSearch::Group> SliceSearch::groupsOf(const std::vector<Goal>& goals,
                                                       const std::vector<std::size_t>& open) {
+  const auto most = mostInSmallPart(slicer.moving());
   std::vector<ConeGroup> alone;
   for (auto i : grouped(goals, open)) {
     if (!Slicer::canDecide(goals[i])) continue;
     limits.check();
-    Bits cone = slicer.cone({.goals = {&goals[i]}});
-    if (isSmallPart(cone, slicer.moving())) alone.push_back({std::move(cone), {i}});
+    auto cone = slicer.coneWithin({.goals = {&goals[i]}}, most);
+    if (cone) alone.push_back({std::move(*cone), {i}});
   }
   const std::set<std::size_t> asked(open.begin(), open.end());
   std::vector<Group> groups;

@@ -69,7 +69,10 @@ private:
   bool isCutShort = false;
 };
 
-/// Whether a part is small enough to be explored on its own: not almost all of the system.
+/// How many instances a part has at most that is worth exploring on its own: not almost all of
+/// those of the system.
+[[nodiscard]] std::size_t mostInSmallPart(const Bits& all);
+/// Whether a part is as small as that.
 [[nodiscard]] bool isSmallPart(const Bits& cone, const Bits& all);
 
 /// Whether a simple argument shows, without a search, that the goal is never reached.

@@ -72,19 +72,36 @@ std::size_t Slicer::Cone::size() const {
   return total;
 }
 
-Bits Slicer::cone(const SliceSeeds& seeds) {
-  Bits found = instances(seeds);
+Bits Slicer::cone(const SliceSeeds& seeds) { return movingOf(coneOf(seeds)); }
+
+std::optional<Bits> Slicer::coneWithin(const SliceSeeds& seeds, std::size_t most) {
+  Cone cone;
+  begin(seeds, cone);
+  if (!growsWithin(most, cone)) return std::nullopt;
+  return movingOf(cone);
+}
+
+Bits Slicer::movingOf(const Cone& cone) const {
+  Bits found = cone.instances;
   found &= facts.moving;
   return found;
+}
+
+/// Adds what influences the cone until nothing is left to add, or more instances move.
+/// \return whether nothing is left
+bool Slicer::growsWithin(std::size_t most, Cone& cone) {
+  for (std::size_t before = 0; before != cone.size();) {
+    before = cone.size();
+    grow(cone);
+    if (movingOf(cone).count() > most) return false;
+  }
+  return true;
 }
 
 Slicer::Cone Slicer::coneOf(const SliceSeeds& seeds) {
   Cone cone;
   begin(seeds, cone);
-  for (std::size_t before = 0; before != cone.size();) {
-    before = cone.size();
-    grow(cone);
-  }
+  (void)growsWithin(SIZE_MAX, cone);
   for (const auto& instance : base.instances) cone.own.emplace_back().insert(instance.location);
   cone.cells.each([&](CellId cell) {
     if (cone.reader[cell] != kNone) cone.own[cone.reader[cell]].insert(cell);

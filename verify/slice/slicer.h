@@ -51,6 +51,8 @@ public:
   [[nodiscard]] Bits instances(const SliceSeeds& seeds) { return coneOf(seeds).instances; }
   /// Those of them with several locations. \throw LimitMet
   [[nodiscard]] Bits cone(const SliceSeeds& seeds);
+  /// The same if these are at most so many. It costs less if they are more. \throw LimitMet
+  [[nodiscard]] std::optional<Bits> coneWithin(const SliceSeeds& seeds, std::size_t most);
   /// All instances with several locations.
   [[nodiscard]] const Bits& moving() const { return facts.moving; }
   /// \throw LimitMet
@@ -89,6 +91,8 @@ private:
   };
 
   [[nodiscard]] Cone coneOf(const SliceSeeds& seeds);
+  [[nodiscard]] bool growsWithin(std::size_t most, Cone& cone);
+  [[nodiscard]] Bits movingOf(const Cone& cone) const;
   void begin(const SliceSeeds& seeds, Cone& cone) const;
   void observe(TransitionId id, Cone& cone) const;
   void grow(Cone& cone);
