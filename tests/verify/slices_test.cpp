@@ -161,6 +161,20 @@ TEST_CASE("a variable matters to the steps that only end the relevant part of a 
 
 // --- Refinement
 
+TEST_CASE("a test that only decides about an event matters to questions about this event") {
+  // each step of Q adds to what P reads when it warns, but P does the same afterwards
+  const Text model("process P (&n: 0..2) is states a, b from a wait [1,2]; "
+                   "if n > 1 then #many end; to b from b wait [1,1]; to a "
+                   "process Q (&n: 0..2) is states a, b from a wait [1,3]; n := (n + 1) % 3; to b "
+                   "from b wait [2,2]; to a " +
+                   walker("R", "1,2") +
+                   "component main is var n: 0..2 := 0 par * in P(&n) || Q(&n) || R end");
+  CHECK(model.reaches("main/1/tag many"));
+  CHECK(model.sliced("absent main/1/tag many") == 1);
+  CHECK(model.sliced("absent main/1/state b") == 1);
+  CHECK(model.isFalse("absent ((main/1/state b) and (main/2/state b))"));
+}
+
 TEST_CASE("two never have what they take in turn, whatever else happens") {
   const Text model(users(3, "taken := false;"));
   const std::string both = "((main/1/state has) and (main/2/state has))";

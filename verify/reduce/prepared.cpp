@@ -1,5 +1,7 @@
 #include "verify/reduce/prepared.h"
 
+#include "verify/model/idle_tests.h"
+#include "verify/model/nodes.h"
 #include "verify/model/system_bytes.h"
 #include "verify/state/state_layout.h"
 
@@ -13,20 +15,32 @@ bool mayTake(Reduction reduction, const Options& options, const System& system) 
 
 namespace {
 
-System copyOf(const System& whole, const Bits& cells, LimitWatch& limits) {
+Bits eventsOf(const System& system, const std::vector<Goal>& goals) {
+  Bits events;
+  for (const auto& goal : goals) {
+    events |= goal.events;
+    addEvents(system, goal.condition, events);
+  }
+  return events;
+}
+
+/// A copy, without the tests that decide about nothing but events that nobody asks for.
+System copyOf(const System& whole, const std::vector<Goal>& goals, bool mayOmit,
+              LimitWatch& limits) {
   limits.checkLargeGrowth(bytesOf(whole));
-  return withStateLayout(whole, cells);
+  return mayOmit ? withoutIdleTests(whole, eventsOf(whole, goals)) : whole;
 }
 
 } // namespace
 
 Prepared::Prepared(const System& whole, const std::vector<Goal>& goals,
                    const std::function<bool(Reduction)>& takes, LimitWatch& limits)
-    : relevance(takes(Reduction::DeadVariables) ? findRelevant(whole, goals, limits)
-                                                : everything(whole)),
-      system(copyOf(whole, relevance.cells, limits)),
+    : system(copyOf(whole, goals, takes(Reduction::DeadVariables), limits)),
+      relevance(takes(Reduction::DeadVariables) ? findRelevant(system, goals, limits)
+                                                : everything(system)),
       extrapolation(takes(Reduction::Extrapolation) ? Extrapolation::LowerUpper
                                                     : Extrapolation::Least) {
+  system = withStateLayout(std::move(system), relevance.cells);
   const Bits& dropped = reductions.dropped = relevance.dropped;
   reductions.inclusion = takes(Reduction::Inclusion);
   if (takes(Reduction::StubbornSets))

@@ -26,8 +26,8 @@ struct Prepared {
   Prepared(const Prepared&) = delete;
   Prepared& operator=(const Prepared&) = delete;
 
-  Relevance relevance;
   System system;
+  Relevance relevance;
   std::optional<StubbornSets> stubbornSets;
   std::optional<LiveVariables> liveVariables;
   std::optional<FreeInputs> freeInputs;

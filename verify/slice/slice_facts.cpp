@@ -1,5 +1,6 @@
 #include "verify/slice/slice_facts.h"
 
+#include "verify/model/idle_tests.h"
 #include "verify/model/nodes.h"
 #include "verify/reduce/path_facts.h"
 
@@ -67,13 +68,29 @@ private:
   std::map<NodeId, ConjunctId> known;
 };
 
-/// The cells on which the branches and failures of a path's code depend.
-Bits testedBy(const System& system, const Path& path) {
-  Bits cells;
-  for (const auto& instruction : path.code) switch (instruction.kind) {
+/// Adds the cells of a test or failure in the code of a path, which only decides about these events
+/// unless they are null.
+void addTest(const System& system, NodeId node, const Bits* events, PathFacts& facts) {
+  const Bits cells = readBy(system, node);
+  facts.tested |= cells;
+  if (events)
+    facts.eventTests.push_back({cells, *events});
+  else
+    facts.decisive |= cells;
+}
+
+/// Adds the cells on which the branches and failures of a path's code depend.
+void addTests(const System& system, const Path& path, PathFacts& facts) {
+  std::map<std::size_t, Bits> idle; // by instruction: events
+  for (auto& test : idleTests(system, path)) idle.emplace(test.first, std::move(test.events));
+  for (std::size_t i = 0; i < path.code.size(); ++i) switch (path.code[i].kind) {
     case InstructionKind::On:
     case InstructionKind::JumpUnless:
-    case InstructionKind::Fail: addReads(system, instruction.node, cells); break;
+    case InstructionKind::Fail: {
+      const auto events = idle.find(i);
+      addTest(system, path.code[i].node, events == idle.end() ? nullptr : &events->second, facts);
+      break;
+    }
     case InstructionKind::Assign:
     case InstructionKind::Store:
     case InstructionKind::Jump:
@@ -82,7 +99,6 @@ Bits testedBy(const System& system, const Path& path) {
     case InstructionKind::To:
     case InstructionKind::Loop: break;
     }
-  return cells;
 }
 
 /// Whether a path changes neither the location nor the clocks of its instance.
@@ -131,7 +147,7 @@ SliceFacts::SliceFacts(System& system, LimitWatch& limits)
     PathFacts& facts = paths.emplace_back();
     facts.guard = guards.conjunctsOf(path.guard);
     facts.targets = targetsOf(path);
-    facts.tested = testedBy(system, path);
+    addTests(system, path, facts);
     for (const auto& assignment : path.assignments)
       facts.assigned.push_back(readBy(system, assignment.value));
     pathsOf[path.instance].push_back(i);

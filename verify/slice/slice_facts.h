@@ -21,6 +21,12 @@ struct Conjunct {
 };
 using ConjunctId = std::uint32_t;
 
+/// A test of a path's code that decides about nothing but events.
+struct EventTest {
+  Bits cells;
+  Bits events;
+};
+
 /// Facts that determine whether a path belongs to a slice.
 struct PathFacts {
   std::vector<ConjunctId> guard;
@@ -28,10 +34,12 @@ struct PathFacts {
   std::vector<TransitionId> transitions; ///< those that contain the path
   Bits tested;                           ///< cells on which branches and failures of its code
                                          ///< depend
-  std::vector<Bits> assigned;            ///< by assignment: the cells that its value reads
-  Bits readLater;                        ///< cells that its instance may read after it
-  bool changesNothing = false;           ///< it changes neither the location nor the clocks of its
-                                         ///< instance
+  Bits decisive; ///< those of them on which more depends than which events happen
+  std::vector<EventTest> eventTests;
+  std::vector<Bits> assigned;  ///< by assignment: the cells that its value reads
+  Bits readLater;              ///< cells that its instance may read after it
+  bool changesNothing = false; ///< it changes neither the location nor the clocks of its
+                               ///< instance
 };
 
 struct TransitionFacts {

@@ -1,5 +1,6 @@
 #include "verify/slice/slicer.h"
 
+#include "verify/model/idle_tests.h"
 #include "verify/model/step_copies.h"
 #include "verify/model/value_bounds.h"
 #include "verify/reduce/path_facts.h"
@@ -115,18 +116,17 @@ void Slicer::begin(const SliceSeeds& seeds, Cone& cone) const {
   cone.known = seeds.cells;
   cone.isExact = !seeds.steps.empty();
   seeds.steps.each([&](TransitionId id) { observe(id, cone); });
-  Bits events;
   bool ofErrors = false;
   for (const auto* goal : seeds.goals) {
     addReads(base, goal->condition, cone.shared);
-    addEvents(base, goal->condition, events);
-    events |= goal->events;
+    addEvents(base, goal->condition, cone.events);
+    cone.events |= goal->events;
     ofErrors = ofErrors || goal->kind == GoalKind::Error;
   }
   cone.cells = cone.shared;
-  if (events.empty() && !ofErrors) return;
+  if (cone.events.empty() && !ofErrors) return;
   for (TransitionId i = 0; i < base.transitions.size(); ++i)
-    if (mayPass(base, base.transitions[i], events) || (ofErrors && mayBeAnError(base, i)))
+    if (mayPass(base, base.transitions[i], cone.events) || (ofErrors && mayBeAnError(base, i)))
       observe(i, cone);
 }
 
@@ -239,7 +239,9 @@ bool Slicer::isOmitted(ConjunctId conjunct, TransitionId of, const Cone& cone) c
 
 void Slicer::needCode(PathId id, Cone& cone) const {
   const Path& path = base.paths[id];
-  Bits cells = facts.paths[id].tested;
+  Bits cells = facts.paths[id].decisive;
+  for (const auto& test : facts.paths[id].eventTests)
+    if (test.events.meets(cone.events)) cells |= test.cells;
   for (std::size_t i = 0; i < path.assignments.size(); ++i) {
     const auto& assignment = path.assignments[i];
     if (assignment.checked || path.mayFail || cone.cells.contains(assignment.target))
@@ -327,7 +329,7 @@ Transition Slicer::cut(TransitionId id, const Cone& cone, Nodes& nodes, Slice& m
 }
 
 Path Slicer::cutPath(PathId id, const Cone& cone, Nodes& nodes) const {
-  Path path = base.paths[id];
+  Path path = withoutIdleTests(base, base.paths[id], cone.events);
   Bits moving;
   for (auto transition : facts.paths[id].transitions) moving |= instancesOf(transition);
   const Bits current = currentFor(moving, cone);

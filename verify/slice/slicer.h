@@ -80,6 +80,7 @@ private:
     Bits shared; ///< those read by several instances, or by a goal
     std::vector<InstanceId> reader; ///< by cell: its only reader, or kNone
     std::vector<Bits> own; ///< by instance: its location, and the cells that it is the reader of
+    Bits events;           ///< that a goal asks for
     Bits observed;         ///< paths that must be in the slice
     Bits kept;             ///< paths of the slice
     Bits relevant; ///< those that may lead to something relevant; the others start where one of
