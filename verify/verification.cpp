@@ -48,7 +48,8 @@ std::optional<Unsupported> Verification::run() {
   if (!settled.statesAreDone && (!ofStates.empty() || compiled.goals.empty()))
     if (auto failure = exploreStates(std::move(ofStates))) return failure;
   for (auto i : ofRuns)
-    if (auto failure = searchAndSettle(i)) return failure;
+    if (!answered.contains(i))
+      if (auto failure = searchAndSettle(i)) return failure;
   if (isSaving) checkpoint->finish();
   return std::nullopt;
 }
@@ -101,6 +102,7 @@ bool Verification::answersAny(const Stage& stage, const std::vector<std::size_t>
   const bool bySlices =
       !slicesAreDone && stage.slices.classes > 0 && exploreSlices(which, stage.slices);
   const bool isRefined = refine(which, stage.refined);
+  exploreRuns(stage);
   const bool isNew = exploreNewest(which, stage.newest);
   const bool isLed = exploreLed(which, stage.led, stage.ledEach);
   const bool byWalks = exploreByWalks(which, stage.walks);
@@ -195,16 +197,21 @@ bool Verification::refine(std::vector<std::size_t> which, const Refinement::Budg
   if (budget.together == 0 || !takes(Reduction::Refinement)) return false;
   std::erase_if(which, [&](std::size_t i) { return answered.contains(i); });
   if (which.empty()) return false;
-  if (!refinement)
-    refinement.emplace(compiled.system, whole, provenance, may(), limits, options.answers);
+  auto& slices = refinementOfAll();
   return isAnyDecided([&](const auto& onDecided) {
-    Bits decided = refinement->decide(compiled.goals, which, budget, result.exploration, onDecided);
+    Bits decided = slices.decide(compiled.goals, which, budget, result.exploration, onDecided);
     for (auto i : which)
       if (compiled.goals[i].kind == GoalKind::Stuck && areErrorsExcluded() &&
-          refinement->showProgress(budget, result.exploration) && onDecided(i, nullptr))
+          slices.showProgress(budget, result.exploration) && onDecided(i, nullptr))
         decided.insert(static_cast<std::uint32_t>(i));
     return decided;
   });
+}
+
+Refinement& Verification::refinementOfAll() {
+  if (!refinement)
+    refinement.emplace(compiled.system, whole, provenance, may(), limits, options.answers);
+  return *refinement;
 }
 
 /// Whether it is known that no step fails.
@@ -331,16 +338,21 @@ std::optional<Unsupported> Verification::measure(std::size_t index, const Goal& 
   return std::nullopt;
 }
 
-/// Answers a question about runs.
-std::optional<Unsupported> Verification::watch(std::size_t index, const Goal& goal) {
-  const auto seen = goalsOf(goal.monitor);
-  const Prepared prepared(
-      compiled.system, seen,
-      [&](Reduction r) { return takes(r) && suits(goal.monitor, r, compiled.system); }, limits);
+/// Searches the whole for a run. \param most number of classes; if these do not decide it, the
+/// question stays open
+std::optional<Unsupported> Verification::watchWithin(std::size_t index, std::uint64_t most) {
+  const Goal& goal = compiled.goals[index];
+  const auto suitable = [&](Reduction r) {
+    return takes(r) && suits(goal.monitor, r, compiled.system);
+  };
+  const Prepared prepared(compiled.system, goalsOf(goal.monitor), suitable, limits);
   auto found = watchFor(prepared.system, goal.monitor, prepared.reductions, options.obliged,
-                        askForErrors(compiled.goals), limits);
+                        askForErrors(compiled.goals), limits, nullptr, most);
   if (found.evidence) found.statistics.complete = true;
-  return answerWith(found, index, prepared.reductions);
+  const bool isOpen = found.failure.empty() && !found.statistics.complete;
+  if (!isOpen || most == UINT64_MAX) return answerWith(found, index, prepared.reductions);
+  addCounts(result.exploration, found.statistics);
+  return std::nullopt;
 }
 
 /// Answers by evidence, with its trace. If a limit is met before, the verdict has no trace.

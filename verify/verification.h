@@ -63,6 +63,7 @@ private:
   bool answerTrue(std::size_t index);
   bool exploreSlices(std::vector<std::size_t> which, const SearchSize& most);
   bool refine(std::vector<std::size_t> which, const Refinement::Budget& budget);
+  Refinement& refinementOfAll();
   [[nodiscard]] bool areErrorsExcluded();
   bool isAnyDecided(const auto& decide);
   [[nodiscard]] std::vector<std::size_t> leadable(const std::vector<std::size_t>& which) const;
@@ -78,6 +79,10 @@ private:
                                         const Reductions& reductions);
   std::optional<Unsupported> measure(std::size_t index, const Goal& goal);
   std::optional<Unsupported> watch(std::size_t index, const Goal& goal);
+  std::optional<Unsupported> watchWithin(std::size_t index, std::uint64_t most);
+  [[nodiscard]] bool mayRefineRuns(const Goal& goal) const;
+  bool isShownByRunSlices(std::size_t index, std::uint64_t most);
+  void exploreRuns(const Stage& stage);
 
   void answerBy(std::size_t index, const Evidence& evidence, const Witness& witness);
   void answerWithout(std::size_t index, const Exploration& exploration,

@@ -100,8 +100,9 @@ Ltl formula(RandomSource& random, const fiacre::Program& program, int depth, int
 }
 
 /// The engine's answer under each setting; it has a trace if it is negative.
+/// \param sliced counts the answers by slices; may be null
 bool answer(fiacre::Program program, const fiacre::Provenance& origins, const Pattern& asked,
-            std::span<const Setting> settings) {
+            std::span<const Setting> settings, std::uint64_t* sliced = nullptr) {
   program.properties = {{.name = "p", .pattern = asked}};
   std::optional<bool> known;
   for (const auto& [name, options] : settings) {
@@ -115,6 +116,7 @@ bool answer(fiacre::Program program, const fiacre::Provenance& origins, const Pa
     CHECK(given.trace.has_value() == !truth);
     CHECK(known.value_or(truth) == truth);
     known = truth;
+    if (sliced) *sliced += result->exploration.sliced;
   }
   return *known;
 }
@@ -122,7 +124,19 @@ bool answer(fiacre::Program program, const fiacre::Provenance& origins, const Pa
 /// With all reductions, and with none.
 std::span<const Setting> bothEnds() { return std::span(oracle::settings()).first(2); }
 
+/// Also with slices for questions about runs.
+std::vector<Setting> withSlicesOfRuns() {
+  std::vector<Setting> made(bothEnds().begin(), bothEnds().end());
+  made.emplace_back("slices first", verify::Options{.classesBeforeSlices = 0});
+  made.emplace_back("refinement alone",
+                    verify::Options{.reductions = {verify::Reduction::Refinement,
+                                                   verify::Reduction::Extrapolation},
+                                    .classesBeforeSlices = 0});
+  return made;
+}
+
 struct Tally {
+  std::uint64_t sliced = 0;
   std::size_t compared = 0;
   std::size_t violated = 0;
 
@@ -147,7 +161,7 @@ void comparePatterns(const fiacre::Program& program, const fiacre::Provenance& o
                  << fiacre::print(program));
     const auto expected = oracle::isTrueOfPoints(model, graph, asked);
     if (!expected) continue;
-    REQUIRE(answer(program, origins, asked, settings) == *expected);
+    REQUIRE(answer(program, origins, asked, settings, &tally.sliced) == *expected);
     ++tally.compared;
     tally.violated += *expected ? 0 : 1;
   }
@@ -157,10 +171,14 @@ void comparePatterns(const fiacre::Program& program, const fiacre::Provenance& o
 
 TEST_CASE("patterns with scopes and times are decided as point by point, on random models") {
   Tally tally;
-  for (std::uint64_t seed = 0; seed < 1000; ++seed)
+  const auto settings = withSlicesOfRuns();
+  const auto seeds = test::seedsOr(0, 1000);
+  for (auto seed = seeds.first; seed < seeds.end; ++seed)
     comparePatterns(seed % 4 == 3 ? test::randomModelWithData(seed) : test::randomModel(seed), {},
-                    seed, bothEnds(), tally);
-  tally.check(500);
+                    seed, settings, tally);
+  INFO(tally.sliced << " by slices");
+  tally.check((seeds.end - seeds.first) / 2);
+  CHECK(tally.sliced > tally.compared / 10);
 }
 
 TEST_CASE("patterns are decided as point by point, on random programs, whatever is reduced") {

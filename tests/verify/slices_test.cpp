@@ -175,6 +175,31 @@ TEST_CASE("a test that only decides about an event matters to questions about th
   CHECK(model.isFalse("absent ((main/1/state b) and (main/2/state b))"));
 }
 
+TEST_CASE("a bounded response is shown by the part that responds") {
+  const Text model(walker("P", "1,2") + walker("Q", "1,3") + walker("R", "2,3") +
+                   "component main is par * in P || Q || R end");
+  CHECK(model.refined("main/1/state b leadsto main/1/state c within [0,2]") == 1);
+  CHECK_FALSE(model.isFalse("main/1/state b leadsto main/1/state c within [0,2]"));
+  CHECK(model.refined("main/1/state b leadsto main/1/state c within [0,1]") == 0);
+  CHECK(model.isFalse("main/1/state b leadsto main/1/state c within [0,1]"));
+}
+
+TEST_CASE("a response that needs another part is shown once the slice has it") {
+  // P waits for Q, which gives it what it needs after 3 at the latest
+  const std::string waiter = "process P (&free: bool) is states idle, waits, over from idle "
+                             "wait [1,1]; to waits from waits wait [0,0]; on free; free := false; "
+                             "to over from over wait [4,4]; to idle ";
+  const Text model(waiter +
+                   "process Q (&free: bool) is states a, b from a wait [1,3]; free := "
+                   "true; to b from b wait [0,0]; on not free; to a " +
+                   walker("R", "1,3") +
+                   "component main is var free: bool := false par * in P(&free) || Q(&free) || R "
+                   "end");
+  CHECK(model.refined("main/1/state waits leadsto main/1/state over within [0,2]") == 1);
+  CHECK_FALSE(model.isFalse("main/1/state waits leadsto main/1/state over within [0,2]"));
+  CHECK(model.isFalse("main/1/state waits leadsto main/1/state over within [0,1]"));
+}
+
 TEST_CASE("two never have what they take in turn, whatever else happens") {
   const Text model(users(3, "taken := false;"));
   const std::string both = "((main/1/state has) and (main/2/state has))";

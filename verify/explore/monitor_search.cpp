@@ -25,7 +25,7 @@ class MonitorSearch {
 public:
   MonitorSearch(const System& of, const Monitor& with, const Reductions& used,
                 const std::set<std::string>& obliged, bool withTicks, bool errorsAreAsked,
-                LimitWatch& watch, MeasuredClock* clock)
+                LimitWatch& watch, MeasuredClock* clock, std::uint64_t most)
       : system(of),
         monitor(with),
         reductions(used),
@@ -42,6 +42,7 @@ public:
         arrivals(walker, timing, watch),
         ticks(withTicks),
         measured(clock),
+        mostClasses(most),
         own(with, withTicks, clock, watch),
         states(of.storedWords) {
     timing.callBetween([&zones = timing, &watch] { watch.checkGrowth(zones.growth()); });
@@ -67,6 +68,10 @@ private:
     constexpr NodeIndex kBetweenChecks = 8;
     NodeIndex looked = 512; ///< number of nodes at the last search for cycles
     for (; next < graph.size() && !done(); ++next) {
+      if (graph.size() >= mostClasses) {
+        result.paused = true;
+        return;
+      }
       // A cycle in a part of the graph is a cycle of the whole. Searching whenever the graph has
       // doubled costs no more than one extra search at the end.
       if (cycles && next == 2 * looked) {
@@ -340,6 +345,7 @@ private:
   Arrivals arrivals;
   bool ticks;
   MeasuredClock* measured; ///< null: nothing is measured
+  std::uint64_t mostClasses;
   MonitorZones own;
   StateStore states;
   ZoneStore zones;
@@ -359,10 +365,10 @@ private:
 
 Watched watchFor(const System& system, const Monitor& monitor, const Reductions& reductions,
                  const std::set<std::string>& obliged, bool errorsAreAsked, LimitWatch& limits,
-                 MeasuredClock* measured) {
+                 MeasuredClock* measured, std::uint64_t most) {
   const auto search = [&](bool ticks) {
     return MonitorSearch(system, monitor, reductions, obliged, ticks, errorsAreAsked, limits,
-                         measured)
+                         measured, most)
         .run();
   };
   // without ticks there are fewer zones; if there is no cycle, there is none with ticks

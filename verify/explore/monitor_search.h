@@ -14,6 +14,7 @@ struct Watched {
   Exploration statistics;
   std::string failure; ///< an error of the model that no goal asks for
   fiacre::OriginId failureOrigin = 0;
+  bool paused = false; ///< it has as many classes as it may have
 };
 
 /// Searches the zone graph of the model and the monitor's clock for a run that the monitor accepts.
@@ -26,10 +27,11 @@ struct Watched {
 /// interrupted.
 /// \param measured receives the values of the clock of a monitor of durations; then everything is
 /// explored
+/// \param most number of classes, after which the search ends without a result
 /// \pre stubborn sets and free inputs are used only if watchesPoints()
 [[nodiscard]] Watched watchFor(const System& system, const Monitor& monitor,
                                const Reductions& reductions, const std::set<std::string>& obliged,
                                bool errorsAreAsked, LimitWatch& limits,
-                               MeasuredClock* measured = nullptr);
+                               MeasuredClock* measured = nullptr, std::uint64_t most = UINT64_MAX);
 
 } // namespace proskill::verify

@@ -9,8 +9,9 @@ namespace proskill::verify {
 /// whether they have clocks. It grows by what false runs lack.
 class Precision {
 public:
+  /// \param hasTime whether the first slice has clocks
   /// \pre the slicer outlives this
-  explicit Precision(Slicer& of) : slicer(&of) {}
+  explicit Precision(Slicer& of, bool hasTime = false) : slicer(&of), isTimed(hasTime) {}
 
   /// \throw LimitMet
   [[nodiscard]] Slice slice(SliceSeeds seeds) const;

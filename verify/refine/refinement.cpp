@@ -243,6 +243,10 @@ std::optional<Steps> Refinement::completed(RefinedSlice& of, const Steps& steps)
   return wholeRun(whole, inSystem(slice, steps), planned, *dating, limits);
 }
 
+bool Refinement::showNoRun(const Goal& goal, std::uint64_t most, Exploration& statistics) {
+  return RunProof(slicer, provenance, takes, limits, store).run(goal, most, statistics);
+}
+
 bool Refinement::showProgress(Budget budget, Exploration& statistics) {
   return ProgressProof(slicer, takes, limits).run(budget.together, budget.each, statistics);
 }

@@ -8,6 +8,7 @@
 #include "verify/refine/precision.h"
 #include "verify/refine/progress_proof.h"
 #include "verify/refine/refined_slice.h"
+#include "verify/refine/run_proof.h"
 #include "verify/refine/split_tests.h"
 #include "verify/slice/part_text.h"
 #include "verify/slice/slicer.h"
@@ -59,6 +60,10 @@ public:
   /// \pre no step of the system fails
   /// \throw LimitMet
   [[nodiscard]] bool showProgress(Budget budget, Exploration& statistics);
+  /// Whether it is shown that no run is one that the goal's monitor accepts.
+  /// \pre RunProof::isFor(goal)
+  /// \param most number of classes \throw LimitMet
+  [[nodiscard]] bool showNoRun(const Goal& goal, std::uint64_t most, Exploration& statistics);
 
 private:
   /// Questions that are asked together of slices of the same precision.

@@ -169,6 +169,27 @@ void PartText::putGoal(const Goal& goal) {
   put(static_cast<std::int64_t>(known.size()));
   for (auto event : known) put(event);
   putNode(goal.condition);
+  putMonitor(goal.monitor);
+}
+
+void PartText::putMonitor(const Monitor& monitor) {
+  put(static_cast<std::int64_t>(monitor.locations.size()));
+  for (const auto& location : monitor.locations) {
+    putNode(location.stay);
+    for (auto flag : {location.timed, location.accepting, location.error}) put(flag ? 1 : 0);
+    put(static_cast<std::int64_t>(location.edges.size()));
+    for (const auto& edge : location.edges) {
+      put(edge.to);
+      putNode(edge.condition);
+      put(edge.clock.lower);
+      put(edge.clock.upper);
+      for (auto flag : {edge.ofStep, edge.reset}) put(flag ? 1 : 0);
+    }
+  }
+  put(static_cast<std::int64_t>(monitor.initial.size()));
+  for (auto location : monitor.initial) put(location);
+  for (auto flag : {monitor.ofPoints, monitor.ofStates, monitor.fair, monitor.rests})
+    put(flag ? 1 : 0);
 }
 
 } // namespace proskill::verify

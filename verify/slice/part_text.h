@@ -38,6 +38,7 @@ private:
   void putCode(const Path& path);
   void putTransition(const Transition& transition);
   void putGoal(const Goal& goal);
+  void putMonitor(const Monitor& monitor);
 
   const System& system;
   Numbers cells;
