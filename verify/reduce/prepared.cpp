@@ -1,8 +1,8 @@
 #include "verify/reduce/prepared.h"
 
-#include "verify/model/idle_tests.h"
 #include "verify/model/nodes.h"
 #include "verify/model/system_bytes.h"
+#include "verify/reduce/idle_tests.h"
 #include "verify/state/state_layout.h"
 
 namespace proskill::verify {

@@ -1,7 +1,7 @@
 #include "verify/slice/slice_facts.h"
 
-#include "verify/model/idle_tests.h"
 #include "verify/model/nodes.h"
+#include "verify/reduce/idle_tests.h"
 #include "verify/reduce/path_facts.h"
 
 #include <algorithm>

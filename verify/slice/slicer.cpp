@@ -1,8 +1,8 @@
 #include "verify/slice/slicer.h"
 
-#include "verify/model/idle_tests.h"
 #include "verify/model/step_copies.h"
 #include "verify/model/value_bounds.h"
+#include "verify/reduce/idle_tests.h"
 #include "verify/reduce/path_facts.h"
 #include "verify/state/state_layout.h"
 

@@ -1,4 +1,4 @@
-#include "verify/model/idle_tests.h"
+#include "verify/reduce/idle_tests.h"
 
 #include "verify/model/path_summary.h"
 #include "verify/model/value_bounds.h"

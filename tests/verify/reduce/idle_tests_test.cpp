@@ -1,5 +1,5 @@
-#include "verify/model/idle_tests.h"
 #include "verify/model/nodes.h"
+#include "verify/reduce/idle_tests.h"
 
 #include <catch2/catch.hpp>
 
