@@ -1,7 +1,7 @@
 #include "verify/reduce/dead_variables.h"
 
 #include "verify/model/nodes.h"
-#include "verify/reduce/path_facts.h"
+#include "verify/reduce/urgent_cycles.h"
 
 #include <algorithm>
 
@@ -22,8 +22,9 @@ public:
       observed |= goal.events;
       addEvents(system, goal.condition, observed);
     }
+    const Bits skipped = watching();
     for (InstanceId i = 0; i < system.instances.size(); ++i)
-      if (!onlyWatches(i)) keep(i);
+      if (!skipped.contains(i)) keep(i);
     for (const auto& transition : system.transitions) // senders on one port have to agree
       if (transition.parts.size() > 1) addReads(system, transition.guard, relevant.cells);
     while (grow()) {
@@ -40,42 +41,46 @@ private:
     relevant.cells.insert(system.instances[instance].location);
   }
 
-  /// Whether a process could be skipped, considering it alone: it synchronises with nobody, no goal
-  /// asks for what it does, and it can neither fail nor stop time.
-  [[nodiscard]] bool onlyWatches(InstanceId instance) const {
-    bool stops = std::ranges::any_of(
-        goals, [](const auto& goal) { return goal.kind == GoalKind::Deadlock; });
+  /// Whether a process could be skipped, considering it alone, but for its cycles: it synchronises
+  /// with nobody, no goal asks for what it does, and it can neither fail nor force a step after
+  /// some time.
+  [[nodiscard]] bool maySkip(InstanceId instance) const {
     for (auto id : pathsOf[instance]) {
       const Path& path = system.paths[id];
-      const auto interval = path.wait.value_or(fiacre::Interval{});
-      bool immediate = interval.upper == 0;
-      if (path.port != kNone || path.mayFail || (interval.upper && !immediate)) return false;
+      const bool isForced = path.wait && path.wait->upper && path.wait->upper != 0;
+      if (path.port != kNone || path.mayFail || isForced) return false;
       for (const auto& instruction : path.code)
         if (instruction.event != kNone && observed.contains(instruction.event)) return false;
     }
-    return !relevant.cells.contains(system.instances[instance].location) &&
-           !hasCycle(instance, !stops);
+    return !relevant.cells.contains(system.instances[instance].location);
   }
 
-  /// Whether the instance has a cycle: of urgent steps only, or of any.
-  [[nodiscard]] bool hasCycle(InstanceId instance, bool urgentOnly) const {
-    const auto count = system.instances[instance].locations.size();
-    std::vector<Bits> reached(count);
-    for (std::size_t round = 0; round < count; ++round) {
-      for (auto id : pathsOf[instance]) {
-        limits.check();
-        const Path& path = system.paths[id];
-        bool urgent = path.wait && path.wait->upper;
-        if (urgentOnly && !urgent) continue;
-        for (auto target : targetsOf(path)) {
-          reached[path.location].insert(target);
-          reached[path.location] |= Bits(reached[target]);
-        }
-      }
+  /// Finds the processes that only watch: they cannot stop time by urgent steps without end and, if
+  /// deadlocks are asked for, end themselves. What conditions on urgent steps read must be written
+  /// by processes that are not skipped, or else those that are might move each other for ever.
+  [[nodiscard]] Bits watching() const {
+    Bits found;
+    Bits changing;
+    for (InstanceId i = 0; i < system.instances.size(); ++i) {
+      if (!maySkip(i)) continue;
+      found.insert(i);
+      for (auto id : pathsOf[i]) changing |= system.paths[id].writes;
     }
-    for (std::uint32_t i = 0; i < count; ++i)
-      if (reached[i].contains(i)) return true;
-    return false;
+    const bool mustEnd = std::ranges::any_of(
+        goals, [](const auto& goal) { return goal.kind == GoalKind::Deadlock; });
+    Bits(found).each([&](InstanceId i) {
+      if (mustEnd ? hasCycle(system, pathsOf[i], limits)
+                  : mayRepeatAlone(system, urgentOf(i), changing, limits))
+        found.erase(i);
+    });
+    return found;
+  }
+
+  [[nodiscard]] std::vector<PathId> urgentOf(InstanceId instance) const {
+    auto paths = pathsOf[instance];
+    std::erase_if(
+        paths, [&](PathId id) { return !system.paths[id].wait || !system.paths[id].wait->upper; });
+    return paths;
   }
 
   /// A round of the fixed point: adds what relevant parts are computed from, and who writes that.
