@@ -4,6 +4,8 @@
 #include "verify/trace/step_names.h"
 #include "verify/trace/stored_evidence.h"
 
+#include <algorithm>
+
 /// How a verification is saved and resumed. Between two searches everything is settled. During a
 /// search of states, what it has decided belongs to the search: a process that goes on with it
 /// makes these traces again.
@@ -109,6 +111,7 @@ void Verification::settleRun() {
 /// \return whether the search is to start again with what is left
 bool Verification::isStoppedAt(const Stage& reached, const std::vector<std::size_t>& which) {
   ++stage;
+  const auto before = settled.decided.size();
   const bool isStopped = answersAny(reached, which);
   if (!checkpoint || !isSaving) return isStopped;
   // the stage is settled as a whole or not at all, so the next process begins it again
@@ -117,7 +120,17 @@ bool Verification::isStoppedAt(const Stage& reached, const std::vector<std::size
   settled.exploration = result.exploration;
   settled.stage = stage;
   settled.slicesAreDone = slicesAreDone;
+  settleSince(before);
   return false;
+}
+
+/// Settles what a stage has decided about runs, from this index on. What the search under way has
+/// decided before belongs to that search.
+void Verification::settleSince(std::size_t index) {
+  const auto begin = settled.decided.begin();
+  const auto at = [&](std::size_t i) { return begin + static_cast<std::ptrdiff_t>(i); };
+  std::rotate(at(settledCount), at(index), settled.decided.end());
+  settledCount += settled.decided.size() - index;
 }
 
 } // namespace proskill::verify

@@ -15,7 +15,7 @@ constexpr std::uint64_t kRunsPerState = 4;
 std::optional<Unsupported> Verification::watch(std::size_t index, const Goal& goal) {
   if (mayRefineRuns(goal) && usesParts()) {
     const auto stages = stagesOf(options);
-    if (auto failure = watchWithin(index, stages[1].at.classes)) return failure;
+    if (auto failure = watchWithin(index, stages[2].at.classes)) return failure;
     if (answered.contains(index) ||
         isShownByRunSlices(index, kRunsPerState * stages[2].refined.each))
       return std::nullopt;
@@ -45,8 +45,9 @@ void Verification::exploreRuns(const Stage& reached) {
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < compiled.goals.size(); ++i)
     if (compiled.goals[i].kind == GoalKind::Run && !answered.contains(i)) open.push_back(i);
+  const bool isLong = stage > 2; // otherwise the search of states may be over soon
   for (auto i : open)
-    if (!isShownByRunSlices(i, kRunsPerState * reached.refined.each))
+    if (!isShownByRunSlices(i, kRunsPerState * reached.refined.each) && isLong)
       (void)watchWithin(i, reached.at.classes / open.size());
 }
 

@@ -45,6 +45,7 @@ private:
   bool answerSettled(std::vector<Settled::Decided> decided);
   void settle();
   void settleStates(bool isLimited);
+  void settleSince(std::size_t index);
   void saveSometimes();
   std::optional<Unsupported> searchAndSettle(std::size_t index);
   void settleRun();
