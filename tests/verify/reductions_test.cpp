@@ -46,47 +46,6 @@ TEST_CASE("Dead variables: a process that can stop time is not left out") {
   CHECK_FALSE(model.reaches(2, "b"));
 }
 
-TEST_CASE("Dead variables: a watchdog is left out whose urgent steps need others to move") {
-  const auto running = [] { return on(name("running")); };
-  const auto resting = [] { return on(unary(fiacre::Op::Not, name("running"))); };
-  const auto worker = [] {
-    Model model;
-    model.variable("running", boolean(), truth(true));
-    model.add(
-        process("worker", {"run", "rest"},
-                {from("run", {waitIn({1, 3}), assign(name("running"), truth(false)), to("rest")}),
-                 from("rest", {wait(1, 1), assign(name("running"), truth(true)), to("run")})}));
-    return model;
-  };
-  Model watched = worker();
-  watched.add(
-      process("watchdog", {"idle", "on_time", "late"},
-              {from("idle", {now(), running(), to("on_time")}),
-               from("on_time",
-                    {select({sequence({now(), resting(), to("idle")}),
-                             sequence({waitIn({2, std::nullopt, true, false}), to("late")})})})}));
-  const auto progress = plain(fiacre::PatternKind::Progress);
-  const auto alone = classes(worker(), progress, {Reduction::DeadVariables});
-  CHECK(classes(watched, progress, {Reduction::DeadVariables}) == alone);
-  CHECK(classes(watched, progress, {}) > alone);
-  CHECK(watched.reaches(2, "late"));
-}
-
-TEST_CASE("Dead variables: watchers that move each other for ever are not left out") {
-  Model model;
-  model.variable("x", boolean(), truth(true)).variable("y", boolean(), truth(false));
-  const auto follows = [](const char* read, const char* written, bool same) {
-    const auto is = on(name(read));
-    const auto isNot = on(unary(fiacre::Op::Not, name(read)));
-    return process(std::string("sets_") + written, {"a", "b"},
-                   {from("a", {now(), is, assign(name(written), truth(same)), to("b")}),
-                    from("b", {now(), isNot, assign(name(written), truth(!same)), to("a")})});
-  };
-  model.add(follows("x", "y", true)).add(follows("y", "x", false));
-  model.add(process("p", {"a", "b"}, {from("a", {wait(1, 1), to("b")})}));
-  CHECK_FALSE(model.reaches(3, "b"));
-}
-
 TEST_CASE("Live variables: a value that is written before it is read again is forgotten") {
   Model model;
   model.variable("x", range(0, 9), number(0));
