@@ -15,9 +15,13 @@ bool isOpen(const analysis::Program& program, const ide::OpenTexts& open) {
                              [&](const auto& file) { return open.contains(file.path); });
 }
 
-bool isRoot(const std::filesystem::path& file, const ide::IncludeGraph& includes) {
-  const auto roots = includes.rootsOf(file);
-  return std::ranges::find(roots, file) != roots.end();
+/// Why a program is not verified any more; null if it is still one.
+const char* whyGone(const std::filesystem::path& root, const analysis::Program& program,
+                    const ide::OpenTexts& open, const ide::IncludeGraph& includes) {
+  if (!isOpen(program, open)) return "the program is not open any more";
+  if (!includes.named(root)) return "the file does not exist any more";
+  const auto roots = includes.rootsOf(root);
+  return std::ranges::find(roots, root) == roots.end() ? "the file is part of a program" : nullptr;
 }
 
 } // namespace
@@ -143,9 +147,8 @@ bool VerdictStore::noticeEdit(const ide::OpenTexts& open, const ide::IncludeGrap
   bool changed = false;
   for (auto it = entries.begin(); it != entries.end();) {
     auto& state = it->second;
-    const bool isGone = !isOpen(state.program->program, open);
-    if (isGone || !isRoot(it->first, includes)) {
-      forget(state, isGone ? "the program is not open any more" : "the file is part of a program");
+    if (const char* why = whyGone(it->first, state.program->program, open, includes)) {
+      forget(state, why);
       it = entries.erase(it);
       changed = true;
       continue;

@@ -1,4 +1,7 @@
+#include "disk/disk.h"
+#include "report/uri.h"
 #include "tests/lsp/support/lamp.h"
+#include "tests/support/run.h"
 
 #include <catch2/catch.hpp>
 
@@ -208,6 +211,27 @@ TEST_CASE("a file that turns out to be part of a program has no verification of 
   session.open(kMain, kGood + "(include \"part.proskill\")\n");
   CHECK(verdictsIn(session, "off", part)["message"] == "the file is part of a program");
   CHECK(verdictsIn(session, "done")["counts"]["errors"] == 1);
+}
+
+TEST_CASE("a program whose first file is gone has no verdicts, though a part of it is open") {
+  const TemporaryDirectory folder;
+  const auto root = folder.write("main.proskill", kGood);
+  const auto part = folder.write("lamp.proskill", kLampText);
+  Session::Options options;
+  options.initializationOptions = kLive;
+  options.disk = std::make_shared<disk::DiskFileSystem>();
+  Session session(options);
+  session.initialize();
+  const auto uri = report::toUri(root);
+  session.open(uri, kGood);
+  verdictsIn(session, "done", uri);
+  session.open(report::toUri(part), kLampText);
+  session.close(uri);
+  verdictsIn(session, "done", uri);
+  std::filesystem::remove(root);
+  session.notify("workspace/didChangeWatchedFiles",
+                 {{"changes", Json::array({{{"uri", uri}, {"type", 3}}})}});
+  CHECK(verdictsIn(session, "off", uri)["message"] == "the file does not exist any more");
 }
 
 } // namespace proskill::test::live_verification_test
