@@ -9,6 +9,46 @@
 
 namespace proskill::lsp {
 
+namespace {
+
+using Path = std::filesystem::path;
+
+/// Whether the path leads from the folder to something in it, through no folder that is skipped.
+bool leadsIn(const Path& path, const Path& folder) {
+  const auto [rest, end] = std::ranges::mismatch(path, folder);
+  return end == folder.end() && std::none_of(rest, path.end(), isSkippedFolder);
+}
+
+/// The known files below a folder, which may be gone.
+std::vector<Path> knownBelow(const Path& folder, const ide::IncludeGraph& graph) {
+  const auto start = (folder / "").native();
+  std::vector<Path> result;
+  const auto first = std::ranges::lower_bound(graph.files(), start, {}, &ide::KnownFile::canonical);
+  for (auto it = first; it != graph.files().end() && (*it)->canonical.starts_with(start); ++it)
+    result.push_back((*it)->name);
+  return result;
+}
+
+} // namespace
+
+std::vector<Path> ClientFolders::filesOf(const std::vector<Path>& paths) const {
+  const auto& graph = *server.workspace.snapshot()->includes();
+  std::vector<Path> result;
+  for (const auto& path : paths) {
+    if (isProgramFile(path) || Workspace::isData(path) || graph.named(path)) {
+      result.push_back(path);
+      continue;
+    }
+    std::ranges::move(knownBelow(path, graph), std::back_inserter(result));
+    if (mayHoldPrograms(path)) std::ranges::copy(programFiles(path), std::back_inserter(result));
+  }
+  return result;
+}
+
+bool ClientFolders::mayHoldPrograms(const Path& folder) const {
+  return std::ranges::any_of(folders, [&](const Path& open) { return leadsIn(folder, open); });
+}
+
 void ClientFolders::change(const std::vector<Path>& removed, std::vector<Path> added) {
   std::erase_if(folders, [&](const Path& it) { return std::ranges::count(removed, it) > 0; });
   server.workspace.forget(removed, folders);

@@ -34,10 +34,14 @@ public:
   void set(std::vector<Path> all) { folders = std::move(all); }
   void readAll() { read(folders); }
   void change(const std::vector<Path>& removed, std::vector<Path> added);
+  /// The files to read again after a change of some paths on disk. A folder that has come or gone
+  /// stands for the program files that are in it, and that were.
+  [[nodiscard]] std::vector<Path> filesOf(const std::vector<Path>& paths) const;
   /// Files have changed on disk. A read in progress may have older contents.
   void filesChanged(const std::vector<Path>& paths);
 
 private:
+  [[nodiscard]] bool mayHoldPrograms(const Path& folder) const;
   void read(std::vector<Path> some);
   void catchUp();
 

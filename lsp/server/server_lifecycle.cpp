@@ -92,7 +92,7 @@ void Server::foldersRead() {
 
 void Server::handleWatchedFiles(const Json& params) {
   const auto before = workspace.snapshot();
-  auto paths = pathsIn(rpc::memberAt(params, {"changes"}));
+  auto paths = folders.filesOf(pathsIn(rpc::memberAt(params, {"changes"})));
   std::erase_if(paths, [this](const auto& path) { return !workspace.dependsOn(path); });
   if (paths.empty()) return;
   folders.filesChanged(paths);

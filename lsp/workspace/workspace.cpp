@@ -17,20 +17,10 @@ namespace fs = std::filesystem;
 /// A directory with more programs is probably a whole disk, not a workspace.
 constexpr std::size_t kMostFiles = 10'000;
 
-bool isSkipped(const fs::path& folder) {
-  constexpr std::array kNames{"node_modules", "build", "install", "log"};
-  auto name = folder.filename().string();
-  return name.starts_with('.') || std::ranges::find(kNames, name) != kNames.end();
-}
-
 /// 0 if there is none: `null` is allowed.
 std::int64_t versionOf(const Json& document) {
   auto found = document.find("version");
   return found != document.end() && found->is_number_integer() ? found->get<std::int64_t>() : 0;
-}
-
-bool isProgramFile(const fs::path& path) {
-  return path.extension() == ".proskill" || ide::isFiacre(path);
 }
 
 /// Whether the file itself is a symbolic link; its directories do not count.
@@ -50,6 +40,16 @@ ide::IncludeGraph::File followedAnew(const analysis::FileSystem& disk,
 }
 
 } // namespace
+
+bool isSkippedFolder(const fs::path& folder) {
+  constexpr std::array kNames{"node_modules", "build", "install", "log"};
+  auto name = folder.filename().string();
+  return name.starts_with('.') || std::ranges::find(kNames, name) != kNames.end();
+}
+
+bool isProgramFile(const fs::path& path) {
+  return path.extension() == ".proskill" || ide::isFiacre(path);
+}
 
 Workspace::Workspace(std::shared_ptr<const analysis::FileSystem> files)
     : direct(std::move(files)), disk(std::make_shared<FileCache>(direct)) {
@@ -284,7 +284,8 @@ std::set<fs::path> programFiles(const fs::path& folder) {
   fs::recursive_directory_iterator walk(folder, fs::directory_options::skip_permission_denied,
                                         error);
   for (; !error && walk != fs::recursive_directory_iterator(); walk.increment(error)) {
-    if (walk->is_directory(error) && isSkipped(walk->path())) walk.disable_recursion_pending();
+    if (walk->is_directory(error) && isSkippedFolder(walk->path()))
+      walk.disable_recursion_pending();
     const auto& path = walk->path();
     if (isProgramFile(path)) result.insert(path.lexically_normal());
     if (result.size() == kMostFiles) break;

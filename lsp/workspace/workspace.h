@@ -110,7 +110,10 @@ private:
   std::shared_ptr<const ide::Snapshot> current;
 };
 
-/// Every `.proskill` file below a folder, except hidden, generated and installed files.
+/// Whether a folder holds hidden, generated or installed files, by its name.
+[[nodiscard]] bool isSkippedFolder(const std::filesystem::path& folder);
+[[nodiscard]] bool isProgramFile(const std::filesystem::path& path);
+/// Every program file below a folder, except in folders that are skipped. Empty for a file.
 [[nodiscard]] std::set<std::filesystem::path> programFiles(const std::filesystem::path& folder);
 
 } // namespace proskill::lsp

@@ -9,6 +9,8 @@ using namespace proskill;
 
 namespace {
 
+using Paths = std::vector<std::filesystem::path>;
+
 constexpr const char* kLampFile = "(defsv lamp :states (On Off) :init Off)\n";
 
 /// The folders of an editor. A reading ends when the test says so.
@@ -86,6 +88,45 @@ TEST_CASE("what changes while folders are read is newer than what was read") {
     editor.finishReading();
     CHECK(editor.files() == 0);
   }
+}
+
+TEST_CASE("a folder that comes or goes stands for its program files") {
+  const test::TemporaryDirectory folder;
+  OpenFolders editor;
+  editor.folders.set({folder.path()});
+  const auto lamp = folder.write("arm/left/lamp.proskill", kLampFile);
+  folder.write("arm/build/lamp.proskill", kLampFile);
+  folder.write("arm/notes.txt", "");
+  const auto arm = folder.path("arm");
+  CHECK(editor.folders.filesOf({arm}) == Paths{lamp});
+  CHECK(editor.folders.filesOf({folder.path("arm/build")}).empty());
+  CHECK(editor.folders.filesOf({folder.path("arm/notes.txt")}).empty());
+  editor.folders.filesChanged(editor.folders.filesOf({arm}));
+  CHECK(editor.workspace.snapshot()->knows(lamp));
+  std::filesystem::remove_all(arm);
+  editor.folders.filesChanged(editor.folders.filesOf({arm}));
+  CHECK(editor.files() == 0);
+}
+
+TEST_CASE("a folder that is not open in the editor is not read") {
+  const test::TemporaryDirectory open;
+  const test::TemporaryDirectory other;
+  other.write("arm/lamp.proskill", kLampFile);
+  OpenFolders editor;
+  editor.folders.set({open.path()});
+  CHECK(editor.folders.filesOf({other.path("arm")}).empty());
+}
+
+TEST_CASE("a file whose name begins like that of a folder stays when the folder goes") {
+  const test::TemporaryDirectory folder;
+  const auto lamp = folder.write("arm.proskill", kLampFile);
+  const auto part = folder.write("arm/part.proskill", kLampFile);
+  OpenFolders editor;
+  editor.folders.set({folder.path()});
+  editor.folders.readAll();
+  editor.finishReading();
+  std::filesystem::remove_all(folder.path("arm"));
+  CHECK(editor.folders.filesOf({folder.path("arm")}) == Paths{part});
 }
 
 TEST_CASE("an editor that shows progress is asked for a place to show it") {
