@@ -3,6 +3,7 @@ import { subjectOf } from './arguments';
 import { AutomatonPreview } from './automaton';
 import { Client } from './client';
 import { Debugging } from './trace/debug';
+import { DiskChanges } from './disk_changes';
 import { Explanations } from './explain';
 import { Imports } from './bridge/import';
 import { FiacreView } from './model';
@@ -29,6 +30,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   const programs = new Programs(server);
   const fiacre = new FiacreView(server);
   const typing = new Typing();
+  const disk = new DiskChanges(server);
   const explanations = new Explanations(server);
   server.explaining = (code) => explanations.open(code);
   const automaton = new AutomatonPreview(server, programs, typing, context);
@@ -38,7 +40,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   const missions = new Missions(server, context);
   const imports = new Imports(server);
   context.subscriptions.push(
-    server, programs, typing, explanations, new Status(server, programs), new Testing(server, programs, typing, context.workspaceState), fiacre, automaton, trace, simulations, debugging, missions, imports);
+    server, programs, typing, disk, explanations, new Status(server, programs), new Testing(server, programs, typing, disk, context.workspaceState), fiacre, automaton, trace, simulations, debugging, missions, imports);
 
   /** An error of a command is shown as a message, never as a stack trace. */
   const command = (name: string, action: (...args: unknown[]) => unknown): void => {

@@ -7,6 +7,8 @@ import type { Typing } from './writing/typing';
 /** Results that are shown at once, and the pause after them, in milliseconds: VS Code draws its tree again for each of them. */
 const kAtOnce = 25;
 const kPause = 30;
+/** Properties of a program up to which each run shows all results: VS Code counts those of the last run above its tree. */
+const kWhole = 100;
 /** Milliseconds that results may be those of an older text before the view says so: live verification mostly replaces them. */
 const kOutdatedAfter = 5000;
 /** Milliseconds without an edit after which results are saved. */
@@ -149,15 +151,25 @@ export class LiveResults implements vscode.Disposable {
   private async tellRun(item: vscode.TestItem, name: string, it: Shown, first: readonly panel.Verdict[]): Promise<void> {
     if (!it.verdicts.size) it.since = this.runs;
     ++this.runs;
+    const former = new Map(it.verdicts);
     const run = this.controller.createTestRun(new vscode.TestRunRequest([item], undefined, undefined, true, true), 'Live verification', false);
     try {
       for (let due = first; due.length && !this.waits(due); due = this.due(name)) {
         this.tellSome(run, name, it, due.slice(0, kAtOnce));
         if (due.length > kAtOnce) await pause(kPause);
       }
+      this.tellUnchanged(run, name, it, former);
     } finally {
       run.end();
     }
+  }
+
+  /** Shows the results again that were shown before the run, so that its counts are those of the program. */
+  private tellUnchanged(run: vscode.TestRun, name: string, it: Shown, former: ReadonlyMap<string, string>): void {
+    const program = this.programs.get(name);
+    if (!program || !isCurrent(program) || program.verdicts.length > kWhole) return;
+    const items = this.view.itemsOf(name);
+    this.tellSome(run, name, it, program.verdicts.filter((verdict) => !verdict.pending && former.get(verdict.name) === lookOf(verdict) && items.has(verdict.name)));
   }
 
   private tellSome(run: vscode.TestRun, name: string, it: Shown, verdicts: panel.Verdict[]): void {

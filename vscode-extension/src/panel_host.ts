@@ -2,8 +2,9 @@ import * as vscode from 'vscode';
 import { positionAt } from '../../panel/src/model/seek';
 import { changesSince } from '../../panel/src/model/verdict_changes';
 import type { Client } from './client';
+import { Latest } from './latest';
 import { page } from './page';
-import { bringIntoView, goTo } from './places';
+import { bringIntoView, goTo, renamed } from './places';
 import type { Programs } from './programs';
 import * as protocol from './protocol';
 import { save } from './save';
@@ -35,6 +36,7 @@ export class PanelHost implements vscode.Disposable {
   readonly onEnd = this.ends.event;
   private readonly drawn = new vscode.EventEmitter<protocol.Automaton>();
   readonly onPicture = this.drawn.event;
+  private readonly following = new Latest();
   private listening = false;
   /** that the page has */
   private toldVerdicts: panel.Verdict[] | undefined;
@@ -44,14 +46,14 @@ export class PanelHost implements vscode.Disposable {
   private from: number | undefined;
   private askedParts = 0;
 
-  /** `uri`: any file of the program; `show` may become known while the page loads. */
+  /** `uri`: any file of the program, by its present name; `show` may become known while the page loads. */
   constructor(
     private readonly client: Client,
     private readonly programs: Programs,
     private readonly typing: Typing,
     private readonly context: vscode.ExtensionContext,
     readonly layout: Layout,
-    readonly uri: vscode.Uri,
+    public uri: vscode.Uri,
     private show: panel.Show | undefined | Promise<panel.Show>,
     restored?: vscode.WebviewPanel,
     private remembered?: panel.Remembered,
@@ -65,6 +67,7 @@ export class PanelHost implements vscode.Disposable {
     this.view.webview.onDidReceiveMessage((message: panel.Message) => void this.receive(message), null, this.subscriptions);
     this.view.onDidDispose(() => this.end(), null, this.subscriptions);
     programs.onChange(() => void this.tellProgram(), null, this.subscriptions);
+    vscode.workspace.onDidRenameFiles(({ files }) => this.renamed(files), null, this.subscriptions);
     client.onLife((life) => {
       if (life === 'running') this.tell('edited', {});
     }, null, this.subscriptions);
@@ -90,6 +93,14 @@ export class PanelHost implements vscode.Disposable {
   comesFrom(file: vscode.Uri | undefined, from?: number): void {
     [this.file, this.from] = [file, from];
     this.save();
+  }
+
+  /** The panel stays with the program. What it shows is requested again when the program is verified by its new name. */
+  private renamed(files: readonly { oldUri: vscode.Uri; newUri: vscode.Uri }[]): void {
+    this.uri = renamed(this.uri, files);
+    this.file &&= renamed(this.file, files);
+    this.save();
+    this.tell('edited', {});
   }
 
   private save(): void {
@@ -123,7 +134,8 @@ export class PanelHost implements vscode.Disposable {
   }
 
   private told(method: keyof panel.Told, params: unknown): void {
-    if (method === 'reveal') void this.follow(params as panel.Told['reveal']);
+    if (method === 'reveal')
+      this.following.take(() => this.follow(params as panel.Told['reveal'])).catch((error) => this.client.output.warn(`a step's text cannot be shown: ${String(error)}`));
     if (method === 'step') this.steps.fire(params as panel.Told['step']);
     if (method === 'remember') {
       this.remembered = params as panel.Remembered;
@@ -133,8 +145,9 @@ export class PanelHost implements vscode.Disposable {
 
   /** The editor follows a trace's steps by scrolling only, and not while the user types in it. */
   private async follow({ location, focus }: panel.Told['reveal']): Promise<void> {
-    if (focus || this.layout === 'automaton') await goTo(location, focus);
-    else if (!this.typing.goesOn) await bringIntoView(location);
+    const { viewColumn } = this.view;
+    if (focus || this.layout === 'automaton') await goTo(location, focus, viewColumn);
+    else if (!this.typing.goesOn) await bringIntoView(location, viewColumn);
   }
 
   private answer(method: panel.Method, params: never): Promise<unknown> | unknown {

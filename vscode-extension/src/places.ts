@@ -18,19 +18,25 @@ function columnOf(uri: vscode.Uri): vscode.ViewColumn {
   return text?.viewColumn ?? vscode.ViewColumn.One;
 }
 
-/** Moves the caret to a place for the user, and with `focus` the keyboard focus. Scrolls only if it is not visible. */
-export async function goTo(location: panel.Location, focus: boolean): Promise<void> {
+/**
+ * Moves the caret to a place for the user, and with `focus` the keyboard focus. Scrolls only if it is not visible.
+ * `asking`: the group of the panel in which the user chose the place; no text covers it
+ */
+export async function goTo(location: panel.Location, focus: boolean, asking?: vscode.ViewColumn): Promise<void> {
   const { uri, range } = locationOf(location);
-  const editor = await vscode.window.showTextDocument(uri, { viewColumn: columnOf(uri), preserveFocus: !focus });
+  const column = columnOf(uri);
+  const editor = await vscode.window.showTextDocument(uri, { viewColumn: column === asking ? vscode.ViewColumn.Beside : column, preserveFocus: !focus });
   editor.selection = new vscode.Selection(range.start, range.start);
   editor.revealRange(linesOf(range), vscode.TextEditorRevealType.InCenterIfOutsideViewport);
 }
 
-/** Scrolls to a place. Caret, selection and focus stay. */
-export async function bringIntoView(location: panel.Location): Promise<void> {
+/** Scrolls to a place. Caret, selection and focus stay; nothing happens if the text would cover the panel whose steps it follows. */
+export async function bringIntoView(location: panel.Location, followed?: vscode.ViewColumn): Promise<void> {
   const { uri, range } = locationOf(location);
   const shown = vscode.window.visibleTextEditors.find((it) => it.viewColumn && it.document.uri.toString() === uri.toString());
-  const editor = shown ?? (await vscode.window.showTextDocument(uri, { viewColumn: columnOf(uri), preserveFocus: true, preview: true }));
+  const column = columnOf(uri);
+  if (!shown && column === followed) return;
+  const editor = shown ?? (await vscode.window.showTextDocument(uri, { viewColumn: column, preserveFocus: true, preview: true }));
   editor.revealRange(linesOf(range), vscode.TextEditorRevealType.InCenterIfOutsideViewport);
 }
 
@@ -40,6 +46,13 @@ const linesOf = ({ start, end }: vscode.Range): vscode.Range => new vscode.Range
 /** A program, or a Fiacre model written by hand; a generated model is neither. */
 export const isVerified = (document: vscode.TextDocument): boolean =>
   document.languageId === 'proskill' || (document.languageId === 'fiacre' && document.uri.scheme === 'file');
+
+/** The name of a file after some files or folders were renamed. */
+export function renamed(uri: vscode.Uri, files: readonly { oldUri: vscode.Uri; newUri: vscode.Uri }[]): vscode.Uri {
+  const name = uri.toString();
+  const found = files.find(({ oldUri }) => name === oldUri.toString() || name.startsWith(`${oldUri.toString()}/`));
+  return found ? vscode.Uri.parse(found.newUri.toString() + name.slice(found.oldUri.toString().length)) : uri;
+}
 
 /** The text that a command without arguments refers to. */
 export function currentText(): vscode.TextDocument {

@@ -1,12 +1,14 @@
 import * as vscode from 'vscode';
 import type { Client } from './client';
+import type { DiskChanges } from './disk_changes';
 import { LiveResults } from './live_results';
-import { locationOf } from './places';
+import { locationOf, rangeOf } from './places';
 import type { Programs } from './programs';
 import * as protocol from './protocol';
 import type { panel } from './protocol';
 import { Results } from './results';
 import { kStatements, marksStatements } from './settings';
+import { Edits } from './writing/edits';
 import type { Typing } from './writing/typing';
 
 type Node =
@@ -14,7 +16,7 @@ type Node =
   | { kind: 'subject'; program: string; properties: string[] }
   | { kind: 'property'; program: string; name: string };
 
-/** Milliseconds until the list of properties is read again, also after the last edit: then VS Code moves its marks with the text meanwhile. */
+/** Milliseconds until the list of properties is read again, also after the last edit or change on disk: VS Code moves its marks with the text meanwhile. */
 const kRefresh = 400;
 const kRefreshEdited = 2000;
 
@@ -27,10 +29,12 @@ export class Testing implements vscode.Disposable {
   private due: NodeJS.Timeout | undefined;
   private asked = 0;
   private readonly results: Results;
+  /** since the properties were listed */
+  private readonly edits = new Edits();
   /** whose results of the previous session are shown */
   private readonly restored = new Set<string>();
 
-  constructor(private readonly client: Client, private readonly programs: Programs, typing: Typing, memory: vscode.Memento) {
+  constructor(private readonly client: Client, private readonly programs: Programs, typing: Typing, disk: DiskChanges, memory: vscode.Memento) {
     this.results = new Results(memory);
     this.live = new LiveResults(this.controller, programs, typing, {
       itemsOf: (program) => this.itemsOf(program),
@@ -50,12 +54,15 @@ export class Testing implements vscode.Disposable {
         if (life === 'running') this.soon();
       }),
       programs.onChange((program) => this.news(program)),
+      disk.onChange(() => this.soon(kRefreshEdited)),
       vscode.workspace.onDidOpenTextDocument((document) => {
         // the server receives the text at the same time, and soon reports verdicts for it
         if (document.languageId === 'proskill') this.soon();
       }),
-      vscode.workspace.onDidChangeTextDocument(({ document, contentChanges }) => {
-        if (document.languageId === 'proskill' && contentChanges.length) this.edited(document.uri);
+      vscode.workspace.onDidChangeTextDocument((change) => {
+        if (change.document.languageId !== 'proskill' || !change.contentChanges.length) return;
+        this.edits.note(change);
+        this.edited(change.document.uri);
       }),
       vscode.workspace.onDidChangeConfiguration((change) => {
         if (change.affectsConfiguration(kStatements)) void this.refresh();
@@ -89,7 +96,10 @@ export class Testing implements vscode.Disposable {
     try {
       const { programs } = await this.client.running.sendRequest(protocol.tests, { workspace: true });
       if (asked !== this.asked) return;
-      this.controller.items.replace(programs.map((program) => this.programItem(program, labelOf(program, programs))));
+      const moved = new Set<string>();
+      this.controller.items.replace(programs.map((program) => this.programItem(program, labelOf(program, programs), moved)));
+      this.edits.forget(programs.flatMap(({ texts }) => texts));
+      for (const uri of moved) this.edits.forgetAll(uri);
       for (const program of this.programs.all()) this.news(program);
       await this.restore();
     } catch (error) {
@@ -108,13 +118,23 @@ export class Testing implements vscode.Disposable {
     return item;
   }
 
-  private programItem(program: protocol.TestedProgram, label: string): vscode.TestItem {
+  /** While a program has errors, its properties stay: the tree is the same, and the marks are where the text has gone. */
+  private programItem(program: protocol.TestedProgram, label: string, moved = new Set<string>()): vscode.TestItem {
     const item = this.item(this.controller.items, program.uri, label, null, vscode.Uri.parse(program.uri));
     item.error = program.error ?? undefined;
     item.canResolveChildren = !program.listed;
     this.nodes.set(item, { kind: 'program', program: program.uri });
-    if (program.listed) item.children.replace(program.subjects.map((subject, index) => this.subjectItem(item, program.uri, subject, index)));
+    if (program.error !== null && item.children.size) item.children.forEach((subject) => this.move(subject, moved));
+    else if (program.listed) item.children.replace(program.subjects.map((subject, index) => this.subjectItem(item, program.uri, subject, index)));
     return item;
+  }
+
+  /** Moves a mark with its text, and those of its properties likewise. `moved`: gets the texts */
+  private move(item: vscode.TestItem, moved: Set<string>): void {
+    const uri = item.uri?.toString() ?? '';
+    moved.add(uri);
+    if (item.range) item.range = rangeOf({ start: this.edits.now(uri, item.range.start), end: this.edits.now(uri, item.range.end) });
+    item.children.forEach((property) => this.move(property, moved));
   }
 
   /** The properties of a program without an open file, requested when the item is expanded. */

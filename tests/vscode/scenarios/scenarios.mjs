@@ -9,6 +9,7 @@ import { scenarios as lenses } from './lenses.mjs';
 import { scenarios as mission } from './mission.mjs';
 import { scenarios as opening } from './opening.mjs';
 import { scenarios as picture } from './picture.mjs';
+import { scenarios as secondDay } from './second_day.mjs';
 import { scenarios as simulation } from './simulation.mjs';
 import { scenarios as testing } from './testing.mjs';
 import { scenarios as traces } from './traces.mjs';
@@ -18,5 +19,5 @@ import { scenarios as verification } from './verification.mjs';
 import { scenarios as walkthrough } from './walkthrough.mjs';
 
 export const scenarios = {
-  ...trust, ...editing, ...automaton, ...picture, ...verification, ...testing, ...traces, ...opening, ...lenses, ...typing, ...imports, ...large, ...simulation, ...mission, ...first, ...debugging, ...walkthrough,
+  ...trust, ...editing, ...automaton, ...picture, ...verification, ...testing, ...traces, ...opening, ...lenses, ...typing, ...imports, ...large, ...simulation, ...mission, ...secondDay, ...first, ...debugging, ...walkthrough,
 };

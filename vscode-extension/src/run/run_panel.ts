@@ -1,6 +1,7 @@
 import { existsSync } from 'node:fs';
 import { resolve } from 'node:path';
 import * as vscode from 'vscode';
+import { Latest } from '../latest';
 import { page } from '../page';
 import { bringIntoView, goTo } from '../places';
 import { save } from '../save';
@@ -13,6 +14,7 @@ export class RunPanel implements vscode.Disposable {
   private readonly view: vscode.WebviewPanel;
   private readonly marks = new RunMarks();
   private readonly subscriptions: vscode.Disposable[] = [];
+  private readonly following = new Latest();
   private isOver = false;
 
   /** `cwd`: of the process; its paths are relative to it. */
@@ -81,7 +83,8 @@ export class RunPanel implements vscode.Disposable {
     if (method === 'shine') this.marks.show(params as panel.Live);
     if (method !== 'reveal' || !this.view.active) return;
     const { location, focus } = params as panel.Told['reveal'];
-    await (focus ? goTo(location, true) : bringIntoView(location));
+    const { viewColumn } = this.view;
+    await this.following.take(() => (focus ? goTo(location, true, viewColumn) : bringIntoView(location, viewColumn)));
   }
 
   private tell<M extends keyof panel.News>(method: M, params: panel.News[M]): void {

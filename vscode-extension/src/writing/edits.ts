@@ -24,7 +24,14 @@ function before(place: panel.Position, { range: { start, end }, end: now }: Edit
   return { line: place.line - now.line + end.line, character: place.line === now.line ? place.character - now.character + end.character : place.character };
 }
 
-/** Edits since a picture was drawn: maps positions in the current text to those in the picture's text. */
+/** A position after an edit; replaced text maps to the end of what replaces it. */
+function after(place: panel.Position, { range: { start, end }, end: now }: Edit): panel.Position {
+  if (isBefore(place, start)) return place;
+  if (isBefore(place, end)) return now;
+  return { line: place.line - end.line + now.line, character: place.line === end.line ? place.character - end.character + now.character : place.character };
+}
+
+/** Edits since something was computed, such as a picture: maps positions in the current text to those in its text, and back. */
 export class Edits {
   private readonly known = new Map<string, Edit[]>();
 
@@ -43,6 +50,16 @@ export class Edits {
       const version = texts.find((text) => text.uri === uri)?.version;
       this.known.set(uri, list.filter((edit) => version === undefined || version === null || edit.version > version));
     }
+  }
+
+  /** What was computed is up to date with this text. */
+  forgetAll(uri: string): void {
+    this.known.delete(uri);
+  }
+
+  /** Where a position of the older text is now. */
+  now(uri: string, place: panel.Position): panel.Position {
+    return (this.known.get(uri) ?? []).reduce(after, place);
   }
 
   former(location: panel.Location): panel.Location {
