@@ -179,6 +179,16 @@ return {
     expect.equal(child:lua(root), directory)
   end },
 
+  { 'a file in a folder below has the server of the program above', function(child)
+    child:file('main.proskill', '(include "parts/lamp.proskill")')
+    child:lua('vim.fn.mkdir(...)', child.directory .. '/parts')
+    child:file('parts/lamp.proskill', '(defsv lamp :states (On Off) :init Off)')
+    child:open(child.directory .. '/main.proskill')
+    child:open(child.directory .. '/parts/lamp.proskill')
+    expect.equal(child:lua("return #require('proskill.client').all()"), 1)
+    expect.equal(child:lua("return require('proskill.client').root(0)"), child.directory)
+  end },
+
   { 'files of a project have one server', function(child)
     local directory = child:copy('rover')
     child:open(directory .. '/mission.proskill')

@@ -9,6 +9,18 @@ local function drone(child)
   child:open(child:copy('drone') .. '/drone.proskill')
 end
 
+-- The lamp is on after the first call.
+local kLamp = [[
+(defsv lamp :states (Off On) :init Off)
+(defskill mission
+  :body
+    ((skill)))
+(defskill skill
+  :action (a)
+  :start (lamp On))
+(defproperty dark (never (lamp On)))
+]]
+
 local function trace(child, name)
   child:lua("vim.cmd('ProskillTrace ' .. ...)", name)
   child:wait("return require('proskill.trace').shown ~= nil")
@@ -171,8 +183,53 @@ return {
       end
     ]])
     trace(child, '')
-    expect.contains(table.concat(child:lua('return offered'), '\n'), 'takes at most 120 s from its start: violated')
+    expect.contains(table.concat(child:lua('return offered'), '\n'), 'takes at most 120 s from its start, violated')
     expect.equal(child:lua("return #vim.fn.getqflist()"), 2) -- the beginning, and one step
+  end },
+
+  { 'violated properties come before warnings, and each is named', function(child)
+    drone(child)
+    child:lua([[
+      vim.ui.select = function(choices, options) offered = vim.tbl_map(options.format_item, choices) end
+    ]])
+    child:lua("vim.cmd('ProskillTrace')")
+    local offered = child:wait('return offered')
+    expect.contains(offered[1], 'battery.no_forbidden_transition: ')
+    local last_error, first_warning
+    for index, words in ipairs(offered) do
+      if words:find('never_refused', 1, true) then first_warning = first_warning or index end
+      if words:find('uav_mission.no_overshoot', 1, true) then last_error = index end
+    end
+    expect.yes(last_error < first_warning, 'a warning comes before a violated property')
+  end },
+
+  { 'an open trace says what has become of the verdict, and nothing moves', function(child)
+    child:file('lamp.proskill', kLamp)
+    child:open(child.directory .. '/lamp.proskill')
+    trace(child, 'dark')
+    child:lua("require('proskill.trace').next()")
+    child:wait(step_at(1))
+    local title = "return vim.fn.getqflist({ title = 0 }).title == %q"
+    -- a line above: the same steps, each at its new place
+    child:at('|(defsv lamp')
+    child:keys('O; a lamp<Esc>')
+    child:wait(("return vim.fn.getqflist({ items = 0 }).items[2].lnum == 3 and (function() %s end)()"):format(title:format('trace of dark')))
+    child:wait(notes:gsub('return {', 'return mark[2] + 1 == 3 and {', 1))
+    expect.equal(child:lua('return { vim.fn.line("."), vim.fn.col(".") }'), { 1, 8 })
+    expect.equal(child:lua("return require('proskill.trace').shown.at"), 1)
+    -- a repair: there are no steps any more
+    child:at('(lamp |On))')
+    child:keys('cwOff<Esc>')
+    child:wait(title:format('trace of dark (of an older text; now: holds)'))
+    expect.equal(child:lua("return require('proskill.trace').shown.at"), 1)
+    child:keys('u')
+    child:wait(title:format('trace of dark'))
+    -- other steps
+    child:at('((|skill)')
+    child:keys('i^ 1) (<Esc>')
+    child:wait(title:format('trace of dark (of an older text; :ProskillTrace dark shows the present one)'))
+    child:lua("vim.cmd('ProskillTrace dark')")
+    child:wait(title:format('trace of dark'))
   end },
 
   { 'what has no trace, and what is no property, is said', function(child)

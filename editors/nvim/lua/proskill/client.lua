@@ -6,7 +6,23 @@ local M = {}
 
 local name = 'proskill'
 
--- Root of a buffer's program: the directory of its settings, else of its repository, else its own.
+-- The nearest root of a client, also of one that is starting, that has this directory.
+local function known_root(directory)
+  local roots = vim.tbl_keys(M.starting or {})
+  for _, client in ipairs((vim.lsp.get_clients or vim.lsp.get_active_clients)()) do
+    table.insert(roots, client.name == name and client.config.root_dir or nil)
+  end
+  local nearest
+  for _, root in ipairs(roots) do
+    if vim.startswith(directory .. '/', root .. '/') and #root > #(nearest or '') then
+      nearest = root
+    end
+  end
+  return nearest
+end
+
+-- Root of a buffer's program: the directory of its settings, else of its repository, else one that already has a client, else
+-- its own.
 function M.root(buffer)
   local file = vim.api.nvim_buf_get_name(buffer)
   local start = file ~= '' and vim.fn.fnamemodify(file, ':p:h') or vim.fn.getcwd()
@@ -23,7 +39,7 @@ function M.root(buffer)
       directory = parent
     end
   end
-  return start
+  return known_root(start) or start
 end
 
 -- The clients that are initialized.

@@ -238,12 +238,28 @@ local function map_keys(buffer)
   end
 end
 
-local function open(verdict, trace)
+-- Adds these words to the title of the list.
+function M.title(more)
+  vim.fn.setqflist({}, 'a', { id = M.shown.list, title = 'trace of ' .. M.shown.name .. more })
+end
+
+-- The same steps at other places of the text: the cursor, the window of the program and the step stay.
+function M.renew(trace)
+  local shown = M.shown
+  shown.trace = trace
+  vim.fn.setqflist({}, 'r', {
+    id = shown.list, title = 'trace of ' .. shown.name, items = items(shown), idx = shown.at + 1, quickfixtextfunc = line_of_list,
+  })
+  render(shown.at)
+end
+
+-- `source`: the buffer whose program it is; nil if no server verifies it.
+local function open(verdict, trace, source)
   if M.shown then
     M.close()
   end
   local shown = {
-    trace = trace, at = 0, window = vim.api.nvim_get_current_win(),
+    trace = trace, at = 0, source = source, window = vim.api.nvim_get_current_win(),
     name = verdict.name, description = verdict.description, verdict = verdict.verdict, place = verdict.place,
   }
   vim.fn.setqflist({}, ' ', {
@@ -259,6 +275,7 @@ local function open(verdict, trace)
   values.open(shown)
   watch()
   M.go(0)
+  vim.cmd('redraw') -- removes the list to choose from, so that the message needs no key
   message.info(('%d steps; :cnext and :cprevious step, in the list ] and [; m: only the relevant steps, q ends'):format(#trace.steps))
   if trace.stale then
     message.warn('the program has changed since: places may have moved')
@@ -275,7 +292,7 @@ local function ask(buffer, verdict)
     if problem then
       return message.error(problem.message)
     end
-    open(verdict, steps.trace(result, server.offset_encoding))
+    open(verdict, steps.trace(result, server.offset_encoding), buffer)
   end)
 end
 
@@ -289,9 +306,16 @@ local function show(buffer, verdict)
   end
 end
 
+-- Violated properties, before warnings.
 local function choose(buffer, verdicts)
-  local candidates = vim.tbl_filter(function(verdict) return verdict.steps and not verdict.good end,
-                                    verdicts)
+  local candidates = {}
+  for _, is_error in ipairs({ true, false }) do
+    for _, verdict in ipairs(verdicts) do
+      if verdict.steps and not verdict.good and (verdict.severity == 'error') == is_error then
+        table.insert(candidates, verdict)
+      end
+    end
+  end
   if #candidates == 0 then
     return message.info('nothing is bad; name a property to see its trace')
   elseif #candidates == 1 then
@@ -299,7 +323,7 @@ local function choose(buffer, verdicts)
   end
   vim.ui.select(candidates, {
     prompt = 'Trace of', format_item = function(verdict)
-      return ('%s: %s'):format(verdict.description, verdict.verdict)
+      return ('%s: %s, %s'):format(verdict.name, verdict.description:gsub('`', ''), verdict.verdict)
     end,
   }, function(chosen)
     if chosen then

@@ -153,13 +153,26 @@ function M.stop()
   end
 end
 
+-- In the words of the command line and of other editors.
+local function found(counts)
+  local parts = {}
+  for _, kind in ipairs({
+    { counts.errors, 'bad', 'bad' }, { counts.warnings, 'warning', 'warnings' }, { counts.inconclusive, 'inconclusive', 'inconclusive' },
+  }) do
+    local number, one, several = unpack(kind)
+    if number > 0 then
+      table.insert(parts, ('%d %s'):format(number, number == 1 and one or several))
+    end
+  end
+  return #parts > 0 and table.concat(parts, ', ') or ('%d of %d good'):format(counts.good, counts.total)
+end
+
 -- Handles notifications of live verification. The status line shows b:proskill_status in the buffers of the
 -- program.
 function M.told(verdicts)
-  local counts = verdicts.counts
   local words = {
     checking = 'verifying', errors = 'has errors', failed = 'not verified', off = '', waiting = '…',
-    done = counts and ('%d good, %d bad'):format(counts.good, counts.errors) or '',
+    done = verdicts.counts and found(verdicts.counts) or '',
   }
   local status = (words[verdicts.state] or '') .. (verdicts.stale and ' (of an older text)' or '')
   for _, text in ipairs(verdicts.texts or {}) do
@@ -168,6 +181,7 @@ function M.told(verdicts)
       vim.b[buffer].proskill_status = status
     end
   end
+  require('proskill.trace_news').told(verdicts)
 end
 
 -- Names of properties with this beginning, for the command line.
