@@ -241,6 +241,7 @@ end
 -- Adds these words to the title of the list.
 function M.title(more)
   vim.fn.setqflist({}, 'a', { id = M.shown.list, title = 'trace of ' .. M.shown.name .. more })
+  vim.cmd('redrawstatus!')
 end
 
 -- The same steps at other places of the text: the cursor, the window of the program and the step stay.
@@ -251,6 +252,7 @@ function M.renew(trace)
     id = shown.list, title = 'trace of ' .. shown.name, items = items(shown), idx = shown.at + 1, quickfixtextfunc = line_of_list,
   })
   render(shown.at)
+  vim.cmd('redrawstatus!')
 end
 
 -- `source`: the buffer whose program it is; nil if no server verifies it.
