@@ -193,7 +193,15 @@ PARTS are those of the form around it."
   (setq-local compilation-error-regexp-alist-alist
               '((proskill "\\(?:^ *--> \\| \\)\\([^ \n:]+\\.proskill\\):\\([0-9]+\\):\\([0-9]+\\)$"
                           1 2 3)))
-  (setq-local compilation-error-regexp-alist '(proskill)))
+  (setq-local compilation-error-regexp-alist '(proskill))
+  (setq-local compilation-exit-message-function #'proskill--verified))
+
+(defun proskill--verified (_status code message)
+  "What to say of a verification that ended with CODE; MESSAGE is that of Emacs."
+  (pcase code
+    (0 '("finished: all properties are good\n" . "good"))
+    (1 '("finished: there are bad properties\n" . "bad"))
+    (_ (cons message code))))
 
 (defun proskill-verify (property)
   "Verify the program, or only PROPERTY: a name, or its beginning up to a dot."
@@ -280,6 +288,11 @@ The program is written beside FILE.  A file `leaves.json' there gives durations.
           proskill--definitions))
 
 ;;;###autoload
+(defun proskill--project (directory)
+  "The project of a program in DIRECTORY: where its settings are."
+  (let ((root (locate-dominating-file directory ".proskill.json")))
+    (and root (cons 'transient (expand-file-name root)))))
+
 (define-derived-mode proskill-mode prog-mode "ProSkill"
   "Major mode for programs in ProSkill."
   (setq-local comment-start "; ")
@@ -289,6 +302,7 @@ The program is written beside FILE.  A file `leaves.json' there gives durations.
   (setq-local indent-line-function #'proskill-indent-line)
   (setq-local indent-tabs-mode nil)
   (setq-local imenu-generic-expression proskill--imenu)
+  (add-hook 'project-find-functions #'proskill--project nil t)
   (setq-local beginning-of-defun-function
               (lambda (&optional count) (re-search-backward "^(" nil 'move (or count 1))))
   (setq-local electric-indent-chars (append "():" electric-indent-chars)))

@@ -3,6 +3,7 @@
 (require 'ert)
 (require 'imenu)
 (require 'package)
+(require 'project)
 (package-initialize)
 (require 'proskill-mode)
 
@@ -120,6 +121,25 @@
         (dotimes (_ 6) (compilation-next-error 1))
         (let ((place (compilation--message->loc (get-text-property (point) 'compilation-message))))
           (should (equal (compilation--loc->line place) 84)))))))
+
+;; Exit code 1 is a verdict, and no failure of the program.
+(ert-deftest the-end-of-a-verification-is-said-in-words ()
+  (with-current-buffer (find-file-noselect (example "drone/drone"))
+    (let ((buffer (proskill-verify "uav_mission.no_overshoot")))
+      (wait-for (lambda () (not (get-buffer-process buffer))))
+      (with-current-buffer buffer
+        (goto-char (point-min))
+        (should (search-forward "finished: there are bad properties" nil t))
+        (should-not (search-forward "abnormally" nil t))))))
+
+(ert-deftest the-project-of-a-program-is-where-its-settings-are ()
+  (let* ((folder (file-name-as-directory (make-temp-file "project" t)))
+         (part (concat folder "parts/lamp.proskill")))
+    (make-directory (concat folder "parts"))
+    (dolist (file (list part (concat folder ".proskill.json"))) (write-region "" nil file))
+    (with-current-buffer (find-file-noselect part)
+      (should (equal (project-root (project-current)) folder)))
+    (delete-directory folder t)))
 
 ;; As in a terminal: there are no images and no other display.
 (ert-deftest a-terminal-never-shows-the-text-of-a-picture ()
