@@ -56,11 +56,16 @@ OrderedJson stepJson(const analysis::Program& program, const ide::TraceStep& ste
 }
 
 OrderedJson traceJson(const analysis::Program& program, const ide::Trace& trace) {
+  OrderedJson made = traceJsonWithoutSteps(trace);
+  for (const auto& step : trace.steps) made["steps"].push_back(stepJson(program, step));
+  return made;
+}
+
+OrderedJson traceJsonWithoutSteps(const ide::Trace& trace) {
   OrderedJson initial = OrderedJson::object();
   for (const auto& variable : trace.initial) initial[variable.variable] = variable.after;
-  OrderedJson steps = OrderedJson::array();
-  for (const auto& step : trace.steps) steps.push_back(stepJson(program, step));
-  OrderedJson made{{"summary", trace.summary}, {"initial", initial}, {"steps", steps}};
+  OrderedJson made{
+      {"summary", trace.summary}, {"initial", initial}, {"steps", OrderedJson::array()}};
   if (trace.loop) made["loop"] = *trace.loop;
   if (trace.end) made["end"] = secondsJson(*trace.end);
   return made;

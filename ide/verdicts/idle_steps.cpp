@@ -42,13 +42,14 @@ verify::Trace withoutIdleSteps(verify::Trace trace, const fiacre::Provenance& pr
   Renumbering numbers;
   for (const auto& step : trace.steps) numbers.add(!isIdle(step, provenance));
   if (numbers.of(trace.steps.size()) == trace.steps.size()) return trace;
-  std::vector<verify::Step> kept;
+  std::size_t kept = 0; // in place: a long trace takes much memory
   for (std::size_t i = 0; i < trace.steps.size(); ++i) {
     if (!numbers.stays(i)) continue;
     numbers.change(trace.steps[i]);
-    kept.push_back(std::move(trace.steps[i]));
+    if (kept != i) trace.steps[kept] = std::move(trace.steps[i]);
+    ++kept;
   }
-  trace.steps = std::move(kept);
+  trace.steps.resize(kept);
   numbers.change(trace.support);
   if (trace.loop) trace.loop = numbers.of(*trace.loop);
   return trace;

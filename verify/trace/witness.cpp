@@ -14,6 +14,9 @@ namespace proskill::verify {
 
 namespace {
 
+/// Bytes of a step of a trace, with what it usually refers to, in this form and in words.
+constexpr std::size_t kRoomPerStep = 2 * sizeof(Step);
+
 /// Steps that replace those of evidence, and the new positions of the latter.
 struct Rewritten {
   Steps steps;
@@ -120,6 +123,12 @@ std::expected<Answer, std::string> Witness::answer(const Goal& goal, const Evide
   return Answer{Truth::False, std::move(*made), {}, steps};
 }
 
+/// Room for the steps, which a caller may then describe in other words: that takes as much again.
+void Witness::reserveSteps(Trace& made, std::size_t count) const {
+  limits.checkLargeGrowth(kRoomPerStep * count);
+  made.steps.reserve(count);
+}
+
 std::expected<Trace, std::string> Witness::trace(const Goal& goal, const Evidence& evidence) const {
   std::optional<Dating> dating;
   std::string wrong = check(goal, evidence, dating, true);
@@ -133,6 +142,7 @@ std::expected<Trace, std::string> Witness::trace(const Goal& goal, const Evidenc
   std::vector<Word> state = initialState(system);
   made.initial = valuesIn(system, state);
   StepLog log;
+  reserveSteps(made, evidence.steps.size());
   for (std::size_t i = 0; i < evidence.steps.size(); ++i) {
     limits.check();
     const std::vector<Word> before = state;

@@ -37,6 +37,7 @@ public:
 private:
   [[nodiscard]] std::string check(const Goal& goal, const Evidence& evidence,
                                   std::optional<Dating>& dating, bool windows) const;
+  void reserveSteps(Trace& made, std::size_t count) const;
   void addCauses(const Goal& goal, const Evidence& evidence, Trace& trace) const;
   [[nodiscard]] const std::vector<std::uint32_t>& watchedBy(TransitionId step) const;
   [[nodiscard]] Evidence lazily(const Goal& goal, const Evidence& evidence) const;
