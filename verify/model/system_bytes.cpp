@@ -4,8 +4,11 @@ namespace proskill::verify {
 
 namespace {
 
+/// What `malloc` adds to an allocation, with rounding.
+constexpr std::uint64_t kOverhead = 16;
+
 template <class... Element> std::uint64_t bytesIn(const std::vector<Element>&... all) {
-  return ((all.size() * sizeof(Element)) + ... + 0);
+  return ((all.empty() ? 0 : all.size() * sizeof(Element) + kOverhead) + ... + 0);
 }
 
 std::uint64_t bytesOf(const Path& path) {

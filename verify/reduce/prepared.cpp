@@ -1,8 +1,8 @@
 #include "verify/reduce/prepared.h"
 
 #include "verify/model/nodes.h"
-#include "verify/model/system_bytes.h"
 #include "verify/reduce/idle_tests.h"
+#include "verify/reduce/laid_out.h"
 #include "verify/state/state_layout.h"
 
 namespace proskill::verify {
@@ -27,8 +27,8 @@ Bits eventsOf(const System& system, const std::vector<Goal>& goals) {
 /// A copy, without the tests that decide about nothing but events that nobody asks for.
 System copyOf(const System& whole, const std::vector<Goal>& goals, bool mayOmit,
               LimitWatch& limits) {
-  limits.checkLargeGrowth(bytesOf(whole));
-  return mayOmit ? withoutIdleTests(whole, eventsOf(whole, goals)) : whole;
+  System copy = checkedCopy(whole, limits);
+  return mayOmit ? withoutIdleTests(std::move(copy), eventsOf(whole, goals)) : copy;
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 #include "verify/refine/refined_slice.h"
 
-#include "verify/state/state_layout.h"
+#include "verify/reduce/laid_out.h"
 
 #include <algorithm>
 #include <iterator>
@@ -30,7 +30,7 @@ Steps RefinedSlice::inSlice(const Steps& steps) const {
 }
 
 std::optional<Dating> RefinedSlice::datingOf(const Steps& steps) {
-  if (!allCells) enabling.emplace(allCells.emplace(withStateLayout(slice.system)));
+  if (!allCells) enabling.emplace(allCells.emplace(laidOutCopy(slice.system, limits)));
   return dated(*allCells, *enabling, {steps, {}}, limits);
 }
 

@@ -1,9 +1,9 @@
 #include "verify/refine/refinement.h"
 
+#include "verify/reduce/laid_out.h"
 #include "verify/refine/class_budget.h"
 #include "verify/slice/cone_groups.h"
 #include "verify/slice/whole_run.h"
-#include "verify/state/state_layout.h"
 #include "verify/trace/witness.h"
 
 #include <algorithm>
@@ -159,7 +159,7 @@ SearchResult Refinement::searchFor(const Group& group, const Prepared& prepared,
 /// Completes the runs that were found to runs of the whole, or else refines the slices.
 void Refinement::readRuns(const Group& group, RefinedSlice& slice, const Prepared& prepared,
                           const SearchResult& found, Asking& asking) {
-  const System allCells = withStateLayout(slice.part());
+  const System allCells = laidOutCopy(slice.part(), limits);
   const Witness witness(allCells, prepared.reductions, provenance, limits);
   const bool isSmall = found.statistics.classes <= kMostTogether;
   std::vector<Group> refined;

@@ -1,6 +1,7 @@
 #include "verify/slice/slice_search.h"
 
 #include "verify/model/nodes.h"
+#include "verify/reduce/laid_out.h"
 #include "verify/reduce/path_facts.h"
 #include "verify/reduce/prepared.h"
 #include "verify/reduce/recurrent_steps.h"
@@ -154,7 +155,7 @@ void SliceSearch::explore(const Group& group, const std::vector<Goal>& goals,
   if (asked.empty()) return;
   std::vector<Goal> own;
   for (auto i : asked) own.push_back(goals[i]);
-  const System allCells = withStateLayout(slice.system);
+  const System allCells = laidOutCopy(slice.system, limits);
   const Enabling enabling(allCells);
   const Prepared prepared(slice.system, own, takes, limits);
   const Witness witness(allCells, prepared.reductions, provenance, limits);

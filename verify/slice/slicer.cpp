@@ -3,8 +3,8 @@
 #include "verify/model/step_copies.h"
 #include "verify/model/value_bounds.h"
 #include "verify/reduce/idle_tests.h"
+#include "verify/reduce/laid_out.h"
 #include "verify/reduce/path_facts.h"
-#include "verify/state/state_layout.h"
 
 #include <algorithm>
 #include <ranges>
@@ -24,11 +24,11 @@ Bits Slice::punctual() const {
 }
 
 Slicer::Slicer(const System& system, LimitWatch& watch)
-    : base(system),
+    : base(checkedCopy(system, watch)),
       limits(watch),
       facts(base, watch),
       shell(withoutSteps(base)),
-      laidOut(withStateLayout(base)),
+      laidOut(laidOutCopy(base, watch)),
       waits(laidOut, watch) {}
 
 bool Slicer::canDecide(const Goal& goal) {
