@@ -14,7 +14,8 @@ namespace proskill::verify {
 
 namespace {
 
-/// Bytes of a step of a trace, with what it usually refers to, in this form and in words.
+/// Bytes of a step of a trace, with what it usually refers to, in this form and in the terms of the
+/// program.
 constexpr std::size_t kRoomPerStep = 2 * sizeof(Step);
 
 /// Steps that replace those of evidence, and the new positions of the latter.

@@ -16,7 +16,7 @@ import { showReferences } from './show_references';
 import { Simulations } from './simulation';
 import { Definitions } from './writing/snippets';
 import { Status } from './status';
-import { Testing } from './testing';
+import { Testing } from './testing/testing';
 import { TraceView } from './trace/trace';
 import { isRecording } from './trace/trace_file';
 import { Typing } from './writing/typing';

@@ -1,15 +1,15 @@
 import * as vscode from 'vscode';
-import type { Client } from './client';
-import type { DiskChanges } from './disk_changes';
+import type { Client } from '../client';
+import type { DiskChanges } from '../disk_changes';
 import { LiveResults } from './live_results';
-import { locationOf, rangeOf } from './places';
-import type { Programs } from './programs';
-import * as protocol from './protocol';
-import type { panel } from './protocol';
+import { locationOf, rangeOf } from '../places';
+import type { Programs } from '../programs';
+import * as protocol from '../protocol';
+import type { panel } from '../protocol';
 import { Results } from './results';
-import { kStatements, marksStatements } from './settings';
-import { Edits } from './writing/edits';
-import type { Typing } from './writing/typing';
+import { kStatements, marksStatements } from '../settings';
+import { Edits } from '../writing/edits';
+import type { Typing } from '../writing/typing';
 
 type Node =
   | { kind: 'program'; program: string }

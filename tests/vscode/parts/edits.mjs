@@ -2,8 +2,8 @@
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { equal } from './expect.mjs';
-import { extension, need } from './extension.mjs';
+import { equal } from '../expect.mjs';
+import { extension, need } from '../extension.mjs';
 
 const [esbuild] = need('esbuild');
 const folder = mkdtempSync(join(tmpdir(), 'proskill-edits-'));

@@ -3,8 +3,8 @@ import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { mock } from 'node:test';
-import { equal } from './expect.mjs';
-import { extension, need } from './extension.mjs';
+import { equal } from '../expect.mjs';
+import { extension, need } from '../extension.mjs';
 
 const [esbuild] = need('esbuild');
 const folder = mkdtempSync(join(tmpdir(), 'proskill-live-'));
@@ -14,7 +14,7 @@ const kProperties = 1000;
 async function built() {
   writeFileSync(join(folder, 'vscode.mjs'), 'export class TestRunRequest {}\n');
   const outfile = join(folder, 'live_results.mjs');
-  await esbuild.build({ entryPoints: [join(extension, 'src/live_results.ts')], outfile, bundle: true, format: 'esm', platform: 'node', alias: { vscode: join(folder, 'vscode.mjs') } });
+  await esbuild.build({ entryPoints: [join(extension, 'src/testing/live_results.ts')], outfile, bundle: true, format: 'esm', platform: 'node', alias: { vscode: join(folder, 'vscode.mjs') } });
   return (await import(outfile)).LiveResults;
 }
 

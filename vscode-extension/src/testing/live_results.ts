@@ -1,8 +1,8 @@
 import * as vscode from 'vscode';
-import type { Programs } from './programs';
-import type * as protocol from './protocol';
-import type { panel } from './protocol';
-import type { Typing } from './writing/typing';
+import type { Programs } from '../programs';
+import type * as protocol from '../protocol';
+import type { panel } from '../protocol';
+import type { Typing } from '../writing/typing';
 
 /** Results that are shown at once, and the pause after them, in milliseconds: VS Code draws its tree again for each of them. */
 const kAtOnce = 25;

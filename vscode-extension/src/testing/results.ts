@@ -1,7 +1,7 @@
 import { createHash } from 'node:crypto';
 import * as vscode from 'vscode';
-import type * as protocol from './protocol';
-import type { panel } from './protocol';
+import type * as protocol from '../protocol';
+import type { panel } from '../protocol';
 
 /** The verdicts of a program that the Testing view showed last, and the texts they are for. */
 export interface SavedResults {
