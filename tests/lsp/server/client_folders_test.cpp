@@ -119,7 +119,7 @@ TEST_CASE("a folder that is not open in the editor is not read") {
 
 TEST_CASE("a file whose name begins like that of a folder stays when the folder goes") {
   const test::TemporaryDirectory folder;
-  const auto lamp = folder.write("arm.proskill", kLampFile);
+  folder.write("arm.proskill", kLampFile);
   const auto part = folder.write("arm/part.proskill", kLampFile);
   OpenFolders editor;
   editor.folders.set({folder.path()});

@@ -147,6 +147,7 @@ export const scenarios = {
     const { editor } = world;
     await begin(world);
     const frame = await openTrace(world);
+    await new Promise((resolve) => setTimeout(resolve, 2200)); // the editor does not follow within two seconds after an edit
     for (let round = 0; round < 4; ++round) {
       for (let i = 0; i < 5; ++i) await editor.press('ArrowDown');
       await expectMarked(editor, frame);
