@@ -61,7 +61,7 @@ TEST_CASE("engine and oracle agree on random Fiacre models, whatever is reduced"
   std::size_t compared = 0;
   std::size_t nodes = 0;
   for (std::uint64_t seed = 0; seed < kModels; ++seed) {
-    const auto judged = agreedOn(test::randomModel(seed), seed, 1);
+    const auto judged = agreedOn(test::randomModel(seed), seed, 4);
     if (!judged) continue;
     ++compared;
     nodes += judged->nodes;
