@@ -1,8 +1,8 @@
 #include "verify/reduce/prepared.h"
 
+#include "verify/laid_out.h"
 #include "verify/model/nodes.h"
 #include "verify/reduce/idle_tests.h"
-#include "verify/reduce/laid_out.h"
 #include "verify/state/state_layout.h"
 
 namespace proskill::verify {

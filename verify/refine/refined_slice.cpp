@@ -1,6 +1,6 @@
 #include "verify/refine/refined_slice.h"
 
-#include "verify/reduce/laid_out.h"
+#include "verify/laid_out.h"
 
 #include <algorithm>
 #include <iterator>

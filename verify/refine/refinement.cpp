@@ -1,6 +1,6 @@
 #include "verify/refine/refinement.h"
 
-#include "verify/reduce/laid_out.h"
+#include "verify/laid_out.h"
 #include "verify/refine/class_budget.h"
 #include "verify/slice/cone_groups.h"
 #include "verify/slice/whole_run.h"

@@ -1,7 +1,7 @@
 #include "verify/slice/slice_search.h"
 
+#include "verify/laid_out.h"
 #include "verify/model/nodes.h"
-#include "verify/reduce/laid_out.h"
 #include "verify/reduce/path_facts.h"
 #include "verify/reduce/prepared.h"
 #include "verify/reduce/recurrent_steps.h"

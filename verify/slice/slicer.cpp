@@ -1,9 +1,9 @@
 #include "verify/slice/slicer.h"
 
+#include "verify/laid_out.h"
 #include "verify/model/step_copies.h"
 #include "verify/model/value_bounds.h"
 #include "verify/reduce/idle_tests.h"
-#include "verify/reduce/laid_out.h"
 #include "verify/reduce/path_facts.h"
 
 #include <algorithm>

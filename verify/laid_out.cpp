@@ -1,4 +1,4 @@
-#include "verify/reduce/laid_out.h"
+#include "verify/laid_out.h"
 
 #include "verify/model/system_bytes.h"
 #include "verify/state/state_layout.h"
