@@ -123,6 +123,8 @@ std::optional<Unsupported> Verification::exploreWhole(const std::vector<std::siz
   std::vector<Goal> goals;
   for (auto i : which) goals.push_back(compiled.goals[i]);
   const Prepared prepared(compiled.system, goals, may(), limits);
+  constexpr std::uint64_t kEnablings = 3; // two of the witness, and one of the search
+  limits.checkLargeGrowth(kEnablings * Enabling::mostBytes(whole));
   const Witness witness(whole, prepared.reductions, provenance, limits);
   std::optional<GoalDistance> distance;
   if (order == Order::Led)

@@ -12,6 +12,7 @@ namespace {
 
 /// With fewer transitions from a location it is faster to evaluate each of them.
 constexpr std::size_t kMany = 64;
+constexpr std::size_t kMostCrowdWords = 1'000'000; ///< of all sets of transitions by location
 
 TransitionSet allBut(const Bits& dropped, std::size_t transitions) {
   TransitionSet all((transitions + 63) / 64);
@@ -46,15 +47,21 @@ void Enabling::findGuards() {
   }
 }
 
+std::uint64_t Enabling::mostBytes(const System& system) {
+  std::size_t locations = 0;
+  for (const auto& instance : system.instances) locations += instance.locations.size();
+  const std::size_t words = locations * ((system.transitions.size() + 63) / 64);
+  return words > kMostCrowdWords ? 0 : 2 * words * sizeof(Word); // of `crowds` and `possible`
+}
+
 void Enabling::findCrowds() {
-  constexpr std::size_t kMostWords = 1'000'000;
   std::size_t most = 0;
   std::size_t locations = 0;
   for (const auto& all : takingPart) {
     locations += all.size();
     for (const auto& here : all) most = std::max(most, here.size());
   }
-  if (most < kMany || locations * urgent.size() > kMostWords) return;
+  if (most < kMany || locations * urgent.size() > kMostCrowdWords) return;
   for (const auto& all : takingPart) {
     auto& crowd = crowds.emplace_back(all.size(), TransitionSet(urgent.size()));
     TransitionSet others(urgent.size(), ~Word{0}); // those in which the instance takes no part

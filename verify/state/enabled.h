@@ -13,6 +13,8 @@ class Enabling {
 public:
   /// Skips the transitions in `dropped`.
   explicit Enabling(const System& system, const Bits& dropped = {});
+  /// Bytes that its largest tables take at most.
+  [[nodiscard]] static std::uint64_t mostBytes(const System& system);
 
   /// Computes the enabled transitions of any state.
   void compute(const Word* state, TransitionSet& enabled) const;
