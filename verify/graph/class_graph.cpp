@@ -10,8 +10,9 @@ namespace proskill::verify {
 namespace {
 
 constexpr std::size_t kMarkingsOfChunk = 128; ///< for each thread
-constexpr std::size_t kMarkingsAtOnce = 4;    ///< that a thread takes from the chunk
-constexpr std::size_t kClaimsOfMarking = 4;   ///< on average; markings with more need no claims
+constexpr std::size_t kStepsOfChunk = kBetweenGrowthChecks;
+constexpr std::size_t kMarkingsAtOnce = 4;  ///< that a thread takes from the chunk
+constexpr std::size_t kClaimsOfMarking = 4; ///< on average; markings with more need no claims
 
 } // namespace
 
@@ -95,7 +96,8 @@ void ClassGraph::takeChunk() {
         system, enabling, markings, limits, static_cast<std::uint32_t>(expanders.size()), recorder,
         ranks));
   if (jobs > 1 && !team) team.emplace(jobs);
-  const std::size_t count = std::min(waiting.size(), kMarkingsOfChunk * jobs);
+  const std::size_t most = std::min(kMarkingsOfChunk * jobs, kStepsOfChunk / stepsOfMarking);
+  const std::size_t count = std::min(waiting.size(), std::max<std::size_t>(most, 1));
   const auto end = waiting.begin() + static_cast<std::ptrdiff_t>(count);
   fresh.markings.assign(waiting.begin(), end);
   waiting.erase(waiting.begin(), end);
@@ -142,13 +144,16 @@ void ClassGraph::expandFresh(std::size_t member) {
 /// Numbers the markings after the steps from the chunk, as if one marking were expanded after the
 /// other.
 void ClassGraph::settleFresh() {
+  std::size_t steps = 0;
   for (std::size_t i = 0; i < fresh.markings.size(); ++i) {
     ExpandedMarking& expansion = fresh.expanded[i];
+    steps += expansion.steps.size();
     failure = expansion.failure;
     if (!failure.message.empty()) return;
     for (auto& step : expansion.steps)
       if (step.marking == kNone && !step.isElsewhere) step.marking = numberOf(step, i);
   }
+  if (!fresh.markings.empty()) stepsOfMarking = 1 + steps / fresh.markings.size();
   std::swap(ready, fresh);
   ready.entered = 0;
   fresh.markings.clear();

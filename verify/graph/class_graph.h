@@ -123,6 +123,7 @@ private:
   Chunk ready;                        ///< expanded, with numbers of the markings after its steps
   std::atomic<std::size_t> next{0};   ///< the first marking of `fresh` that nobody works at
   std::vector<Claimant> claimants;    ///< by claim
+  std::size_t stepsOfMarking = 1;     ///< about, of the last chunk
   std::uint64_t entries = 0;          ///< markings whose domains were fired
   SetId pending = NumberSets::kEmpty; ///< the domains of the marking that is fired from
   std::uint32_t signature = 0;        ///< that of this marking
