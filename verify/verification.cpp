@@ -123,8 +123,7 @@ std::optional<Unsupported> Verification::exploreWhole(const std::vector<std::siz
   std::vector<Goal> goals;
   for (auto i : which) goals.push_back(compiled.goals[i]);
   const Prepared prepared(compiled.system, goals, may(), limits);
-  constexpr std::uint64_t kEnablings = 3; // two of the witness, and one of the search
-  limits.checkLargeGrowth(kEnablings * Enabling::mostBytes(whole));
+  limits.checkLargeGrowth(3 * Enabling::mostBytes(whole)); // two of the witness, one of the search
   const Witness witness(whole, prepared.reductions, provenance, limits);
   std::optional<GoalDistance> distance;
   if (order == Order::Led)
