@@ -287,12 +287,12 @@ The program is written beside FILE.  A file `leaves.json' there gives durations.
             (list nil (concat "^(" it "\\s-+\\([A-Za-z_][A-Za-z0-9_]*\\)") 1))
           proskill--definitions))
 
-;;;###autoload
 (defun proskill--project (directory)
   "The project of a program in DIRECTORY: where its settings are."
   (let ((root (locate-dominating-file directory ".proskill.json")))
     (and root (cons 'transient (expand-file-name root)))))
 
+;;;###autoload
 (define-derived-mode proskill-mode prog-mode "ProSkill"
   "Major mode for programs in ProSkill."
   (setq-local comment-start "; ")

@@ -27,6 +27,13 @@
              (split-string wanted "\n") (split-string got "\n"))
     (nreverse result)))
 
+(ert-deftest the-mode-is-there-before-its-file-is-loaded ()
+  (with-temp-buffer
+    (insert-file-contents (locate-library "proskill-mode.el"))
+    (dolist (command '("define-derived-mode proskill-mode" "add-to-list 'auto-mode-alist"))
+      (goto-char (point-min))
+      (should (re-search-forward (concat "^;;;###autoload\n(" (regexp-quote command)) nil t)))))
+
 (ert-deftest examples-are-indented-again ()
   "Without its white space every example is indented as it was."
   (dolist (file (file-expand-wildcards (example "*/*")))
