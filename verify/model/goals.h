@@ -1,6 +1,7 @@
 #pragma once
 
 #include "verify/model/monitor.h"
+#include "verify/model/nodes.h"
 #include "verify/model/system.h"
 
 #include <algorithm>
@@ -43,6 +44,16 @@ struct Goal {
 
 [[nodiscard]] inline bool askForErrors(const std::vector<Goal>& goals) {
   return std::ranges::any_of(goals, [](const Goal& goal) { return goal.kind == GoalKind::Error; });
+}
+
+/// The events that goals ask for.
+[[nodiscard]] inline Bits eventsOf(const System& system, const std::vector<Goal>& goals) {
+  Bits events;
+  for (const auto& goal : goals) {
+    events |= goal.events;
+    addEvents(system, goal.condition, events);
+  }
+  return events;
 }
 
 /// Whether a question cannot share an exploration with others.

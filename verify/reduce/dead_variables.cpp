@@ -17,11 +17,8 @@ public:
   }
 
   Relevance run() {
-    for (const auto& goal : goals) {
-      addReads(system, goal.condition, relevant.cells);
-      observed |= goal.events;
-      addEvents(system, goal.condition, observed);
-    }
+    observed = eventsOf(system, goals);
+    for (const auto& goal : goals) addReads(system, goal.condition, relevant.cells);
     const Bits skipped = watching();
     for (InstanceId i = 0; i < system.instances.size(); ++i)
       if (!skipped.contains(i)) keep(i);

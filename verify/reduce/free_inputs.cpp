@@ -15,16 +15,6 @@ namespace {
 /// Limit of the combinations of values that the code of one transition reads.
 constexpr std::size_t kMostChoices = 1024;
 
-/// The events that goals ask for.
-Bits observedBy(const System& system, const std::vector<Goal>& goals) {
-  Bits observed;
-  for (const auto& goal : goals) {
-    observed |= goal.events;
-    addEvents(system, goal.condition, observed);
-  }
-  return observed;
-}
-
 } // namespace
 
 FreeInputs::FreeInputs(const System& of, const std::vector<Goal>& goals, const Bits& dropped)
@@ -33,7 +23,7 @@ FreeInputs::FreeInputs(const System& of, const std::vector<Goal>& goals, const B
       setters((of.transitions.size() + 63) / 64),
       silent(setters),
       evaluation(of) {
-  const Bits observed = observedBy(of, goals);
+  const Bits observed = eventsOf(of, goals);
   for (auto& variable : variables) variable.readers.assign(setters.size(), 0);
   forgetMany(dropped);
   variableOf.assign(system->transitions.size(), kNone);

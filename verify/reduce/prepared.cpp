@@ -1,7 +1,6 @@
 #include "verify/reduce/prepared.h"
 
 #include "verify/laid_out.h"
-#include "verify/model/nodes.h"
 #include "verify/reduce/idle_tests.h"
 #include "verify/state/state_layout.h"
 
@@ -14,15 +13,6 @@ bool mayTake(Reduction reduction, const Options& options, const System& system) 
 }
 
 namespace {
-
-Bits eventsOf(const System& system, const std::vector<Goal>& goals) {
-  Bits events;
-  for (const auto& goal : goals) {
-    events |= goal.events;
-    addEvents(system, goal.condition, events);
-  }
-  return events;
-}
 
 /// A copy, without the tests that decide about nothing but events that nobody asks for.
 System copyOf(const System& whole, const std::vector<Goal>& goals, bool mayOmit,

@@ -23,12 +23,9 @@ public:
       : system(of),
         limits(watch),
         relevant(findRelevant(of, goals, watch).cells),
+        events(eventsOf(of, goals)),
         values(of.cells.size()) {
-    for (const auto& goal : goals) {
-      events |= goal.events;
-      addEvents(system, goal.condition, events);
-      addReads(system, goal.condition, readByOthers);
-    }
+    for (const auto& goal : goals) addReads(system, goal.condition, readByOthers);
     for (const auto& instance : system.instances) {
       from.emplace_back(instance.locations.size());
       isFree.emplace_back(instance.locations.size(), true);
