@@ -1,11 +1,11 @@
 #include "verify/refine/run_proof.h"
 
 #include "verify/explore/monitor_search.h"
+#include "verify/laid_out.h"
 #include "verify/reduce/monitor_view.h"
 #include "verify/reduce/prepared.h"
 #include "verify/refine/class_budget.h"
 #include "verify/slice/part_text.h"
-#include "verify/state/state_layout.h"
 #include "verify/trace/witness.h"
 
 #include <algorithm>
@@ -67,7 +67,7 @@ RunProof::Outcome RunProof::search(const Goal& goal, const std::vector<Goal>& se
   addCounts(statistics, found.statistics);
   spend(found.statistics.classes, left);
   if (!found.evidence) return found.statistics.complete ? Outcome::Shown : Outcome::GaveUp;
-  const System allCells = withStateLayout(slice.part());
+  const System allCells = laidOutCopy(slice.part(), limits);
   const Witness witness(allCells, prepared.reductions, provenance, limits);
   const Steps steps = slice.inSlice(witness.tidied(goal, *found.evidence).steps);
   return precision.growBy(slice.uncontracted(), steps) ? Outcome::Refined : Outcome::GaveUp;

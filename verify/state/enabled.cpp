@@ -14,6 +14,12 @@ namespace {
 constexpr std::size_t kMany = 64;
 constexpr std::size_t kMostCrowdWords = 1'000'000; ///< of all sets of transitions by location
 
+/// \param most transitions that one location has
+/// \param words of all sets
+bool hasNoCrowds(std::size_t most, std::size_t words) {
+  return most < kMany || words > kMostCrowdWords;
+}
+
 TransitionSet allBut(const Bits& dropped, std::size_t transitions) {
   TransitionSet all((transitions + 63) / 64);
   for (TransitionId i = 0; i < transitions; ++i)
@@ -49,9 +55,19 @@ void Enabling::findGuards() {
 
 std::uint64_t Enabling::mostBytes(const System& system) {
   std::size_t locations = 0;
-  for (const auto& instance : system.instances) locations += instance.locations.size();
+  std::vector<std::vector<std::size_t>> count; // of transitions, by instance and location
+  for (const auto& instance : system.instances) {
+    locations += instance.locations.size();
+    count.emplace_back(instance.locations.size());
+  }
+  std::size_t most = 0;
+  for (const auto& transition : system.transitions)
+    for (auto part : transition.parts) {
+      const Path& path = system.paths[part];
+      most = std::max(most, ++count[path.instance][path.location]);
+    }
   const std::size_t words = locations * ((system.transitions.size() + 63) / 64);
-  return words > kMostCrowdWords ? 0 : 2 * words * sizeof(Word); // of `crowds` and `possible`
+  return hasNoCrowds(most, words) ? 0 : 2 * words * sizeof(Word); // of `crowds` and `possible`
 }
 
 void Enabling::findCrowds() {
@@ -61,7 +77,7 @@ void Enabling::findCrowds() {
     locations += all.size();
     for (const auto& here : all) most = std::max(most, here.size());
   }
-  if (most < kMany || locations * urgent.size() > kMostCrowdWords) return;
+  if (hasNoCrowds(most, locations * urgent.size())) return;
   for (const auto& all : takingPart) {
     auto& crowd = crowds.emplace_back(all.size(), TransitionSet(urgent.size()));
     TransitionSet others(urgent.size(), ~Word{0}); // those in which the instance takes no part
