@@ -33,7 +33,7 @@ export class DiskChanges implements vscode.Disposable {
 
   private gather(uri: vscode.Uri, type: FileChangeType): void {
     if (!kWatched.test(uri.path)) this.gathered.push({ uri: uri.toString(), type });
-    this.due ??= setTimeout(() => void this.report(), kGathered);
+    this.due ??= setTimeout(() => this.report().catch((error) => this.client.output.warn(`the server does not know what has changed on disk: ${String(error)}`)), kGathered);
   }
 
   private async report(): Promise<void> {
