@@ -109,4 +109,15 @@ std::vector<verify::Options> reductionChoices() {
   return choices;
 }
 
+std::uint64_t classesToProve(Model model, fiacre::Property property,
+                             std::set<verify::Reduction> reductions) {
+  model.ask(std::move(property));
+  verify::Options options;
+  options.reductions = std::move(reductions);
+  auto result = model.answers(options);
+  if (result.answers[0].truth != verify::Truth::True)
+    throw std::logic_error("the property is not true");
+  return result.exploration.classes;
+}
+
 } // namespace proskill::test

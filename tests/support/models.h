@@ -3,6 +3,8 @@
 #include "tests/fiacre/build.h"
 #include "verify/verify.h"
 
+#include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -59,5 +61,9 @@ private:
 
 /// Sets of reductions to test: all, none, each one alone, all but each one.
 std::vector<verify::Options> reductionChoices();
+
+/// The number of classes with which a true property of a model is decided.
+std::uint64_t classesToProve(Model model, fiacre::Property property,
+                             std::set<verify::Reduction> reductions);
 
 } // namespace proskill::test

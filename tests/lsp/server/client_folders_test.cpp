@@ -24,6 +24,12 @@ struct OpenFolders {
   lsp::ClientFolders folders{
       {workspace, client.peer, features, inbox, scheduler, [this] { ++read; }}};
 
+  /// Opens a folder, and waits until it is read.
+  void open(const std::filesystem::path& folder) {
+    folders.set({folder});
+    folders.readAll();
+    finishReading();
+  }
   /// Waits for the files that were read in the background, and takes them over.
   void finishReading() {
     auto event = inbox.take(std::nullopt);
@@ -54,9 +60,7 @@ TEST_CASE("a folder that is added is read, and one that is removed is forgotten 
   one.write("lamp.proskill", kLampFile);
   const auto lamp = other.write("lamp.proskill", kLampFile);
   OpenFolders editor;
-  editor.folders.set({one.path()});
-  editor.folders.readAll();
-  editor.finishReading();
+  editor.open(one.path());
   editor.folders.change({one.path()}, {other.path()});
   CHECK(editor.files() == 0);
   editor.finishReading();
@@ -122,9 +126,7 @@ TEST_CASE("a file whose name begins like that of a folder stays when the folder 
   folder.write("arm.proskill", kLampFile);
   const auto part = folder.write("arm/part.proskill", kLampFile);
   OpenFolders editor;
-  editor.folders.set({folder.path()});
-  editor.folders.readAll();
-  editor.finishReading();
+  editor.open(folder.path());
   std::filesystem::remove_all(folder.path("arm"));
   CHECK(editor.folders.filesOf({folder.path("arm")}) == Paths{part});
 }

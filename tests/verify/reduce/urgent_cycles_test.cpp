@@ -6,19 +6,6 @@ namespace proskill::test::urgent_cycles_test {
 
 using verify::Reduction;
 
-namespace {
-
-std::uint64_t classes(Model model, fiacre::Property property, std::set<Reduction> reductions) {
-  model.ask(std::move(property));
-  verify::Options options;
-  options.reductions = std::move(reductions);
-  auto result = model.answers(options);
-  REQUIRE(result.answers[0].truth == verify::Truth::True);
-  return result.exploration.classes;
-}
-
-} // namespace
-
 TEST_CASE("Dead variables: a watchdog is left out whose urgent steps need others to move") {
   const auto running = [] { return on(name("running")); };
   const auto resting = [] { return on(unary(fiacre::Op::Not, name("running"))); };
@@ -39,9 +26,9 @@ TEST_CASE("Dead variables: a watchdog is left out whose urgent steps need others
                     {select({sequence({now(), resting(), to("idle")}),
                              sequence({waitIn({2, std::nullopt, true, false}), to("late")})})})}));
   const auto progress = plain(fiacre::PatternKind::Progress);
-  const auto alone = classes(worker(), progress, {Reduction::DeadVariables});
-  CHECK(classes(watched, progress, {Reduction::DeadVariables}) == alone);
-  CHECK(classes(watched, progress, {}) > alone);
+  const auto alone = classesToProve(worker(), progress, {Reduction::DeadVariables});
+  CHECK(classesToProve(watched, progress, {Reduction::DeadVariables}) == alone);
+  CHECK(classesToProve(watched, progress, {}) > alone);
   CHECK(watched.reaches(2, "late"));
 }
 
