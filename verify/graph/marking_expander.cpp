@@ -71,6 +71,7 @@ void MarkingExpander::expand(std::uint32_t marking, ExpandedMarking& to) {
   to.steps.clear();
   to.words.clear();
   to.possible.clear();
+  to.failure = {};
   markings.read(marking, state.data(), path);
   enabling.compute(state.data(), current.enabled);
   fireAll();
@@ -136,8 +137,8 @@ void MarkingExpander::findTargets(Begun& from) {
   for (std::size_t i = 0; i < made->steps.size(); ++i) {
     MarkingStep& step = made->steps[i];
     const auto after = std::span(from.targets).subspan(i * system.words, system.words);
-    if (isFound(step, i, from)) continue;
-    step.words = static_cast<std::uint32_t>(made->words.size());
+    if (isFound(step, from.group.roots[i], after, from.enabled)) continue;
+    step.words = made->words.size();
     made->words.insert(made->words.end(), after.begin(), after.end());
     step.signature = signatureAfter(step, after, from.enabled);
   }
@@ -145,15 +146,14 @@ void MarkingExpander::findTargets(Begun& from) {
 
 /// Numbers or claims the marking after a step, unless another rank has it, or it needs nodes or a
 /// claim that the tables lack. \return whether this is done
-bool MarkingExpander::isFound(MarkingStep& step, std::size_t i, const Begun& from) {
-  const auto after = std::span(from.targets).subspan(i * system.words, system.words);
-  const auto& root = from.group.roots[i];
+bool MarkingExpander::isFound(MarkingStep& step, const std::optional<SoughtRoot>& root,
+                              std::span<const Word> after, const TransitionSet& before) {
   step.isElsewhere = ranks && ownerOf(*ranks, after) != ranks->self();
   if (!root || step.isElsewhere) return false;
   const auto found = markings.roots.findOrClaim(*root, number, own);
   step.marking = found.id;
   step.claim = found.claim;
-  if (found.isNew) (*claimants)[found.claim] = {number, signatureAfter(step, after, from.enabled)};
+  if (found.isNew) (*claimants)[found.claim] = {number, signatureAfter(step, after, before)};
   return found.id != kNone || found.claim != kNone;
 }
 

@@ -77,7 +77,8 @@ private:
   void noteFailure(TransitionId transition);
   void notePossible(TransitionId transition, const Word* after);
   void findTargets(Begun& from);
-  [[nodiscard]] bool isFound(MarkingStep& step, std::size_t i, const Begun& from);
+  [[nodiscard]] bool isFound(MarkingStep& step, const std::optional<SoughtRoot>& root,
+                             std::span<const Word> after, const TransitionSet& before);
   [[nodiscard]] std::uint32_t signatureAfter(const MarkingStep& step, std::span<const Word> after,
                                              const TransitionSet& before);
 
