@@ -74,10 +74,7 @@ void ClassGraph::explore() {
       if (exchange) exchange->receive();
       takeChunk();
       prepareClaims();
-      if (jobs > 1)
-        team->inAll([this](std::size_t member) { work(member); });
-      else
-        work(0);
+      workTogether();
       if (!result.stopped.empty()) break;
       settleFresh();
       if (!failure.message.empty()) break;
@@ -86,6 +83,16 @@ void ClassGraph::explore() {
     result.stopped = limit.which;
   }
   putBack();
+}
+
+void ClassGraph::workTogether() {
+  if (jobs == 1) return work(0);
+  const double begin = limits.seconds();
+  if (gain.areThreadsFaster())
+    team->inAll([this](std::size_t member) { work(member); });
+  else
+    work(0);
+  gain.add(limits.seconds() - begin, fresh.markings.size());
 }
 
 /// Takes the markings that wait for the longest time.

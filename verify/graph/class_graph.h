@@ -9,6 +9,7 @@
 #include "verify/space/column.h"
 #include "verify/space/state_tree.h"
 #include "verify/threads/team.h"
+#include "verify/threads/thread_gain.h"
 
 #include <atomic>
 #include <deque>
@@ -52,6 +53,7 @@ private:
 
   void start();
   void explore();
+  void workTogether();
   void takeChunk();
   void prepareClaims();
   void work(std::size_t member);
@@ -118,8 +120,9 @@ private:
 
   std::vector<std::unique_ptr<MarkingExpander>> expanders; ///< the first is of the calling thread
   std::optional<Team> team;                                ///< once there is much to do
-  unsigned jobs = 1;                                       ///< threads for the chunk
-  Chunk fresh;                                             ///< that is being expanded
+  ThreadGain gain;
+  unsigned jobs = 1;                  ///< threads for the chunk
+  Chunk fresh;                        ///< that is being expanded
   Chunk ready;                        ///< expanded, with numbers of the markings after its steps
   std::atomic<std::size_t> next{0};   ///< the first marking of `fresh` that nobody works at
   std::vector<Claimant> claimants;    ///< by claim
