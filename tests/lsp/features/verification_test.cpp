@@ -214,8 +214,8 @@ TEST_CASE("two programs have verdicts of their own, also in a file of both") {
   CHECK(verdictsIn(session, "done", other)["counts"]["errors"] == 0);
   CHECK(verdictsIn(session, "done", kMain)["counts"]["errors"] == 1);
   CHECK(session.result("proskill/tests", Json::object())["programs"].size() == 2);
-  session.close(kMain);
   session.close(kLamp);
+  session.close(kMain); // last: it is not on disk, so it would be gone before the program is closed
   CHECK(verdictsIn(session, "off", kMain)["message"] == "the program is not open any more");
 }
 
