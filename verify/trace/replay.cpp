@@ -185,8 +185,11 @@ const Simulator& ReplayedRun::start(std::int64_t units) {
   if (simulator && scale == units) return *simulator;
   taken.clear();
   scale = units;
-  simulator.emplace(system, units);
-  first = simulator->start();
+  if (!simulator) {
+    simulator.emplace(system, units);
+    first = simulator->start();
+  }
+  simulator->setUnits(units);
   return *simulator;
 }
 

@@ -8,17 +8,25 @@
 
 namespace proskill::verify {
 
-Simulator::Simulator(const System& of, std::int64_t units) : system(of), scale(units) {
-  for (const auto& instance : system.instances) startingAt.emplace_back(instance.locations.size());
+Simulator::Simulator(const System& of, std::int64_t units)
+    : system(of), scale(units), readers(of.cells.size()) {
+  for (const auto& instance : system.instances) takingPart.emplace_back(instance.locations.size());
   for (TransitionId id = 0; id < system.transitions.size(); ++id) {
-    const Path& first = system.paths[system.transitions[id].parts.front()];
-    startingAt[first.instance][first.location].push_back(id);
+    const Transition& transition = system.transitions[id];
+    Bits read = transition.guardReads;
+    for (auto part : transition.parts) {
+      const Path& path = system.paths[part];
+      takingPart[path.instance][path.location].push_back(id);
+      read.erase(system.instances[path.instance].location);
+    }
+    read.each([&](CellId cell) { readers[cell].push_back(id); });
   }
 }
 
 Concrete Simulator::start() const {
   Concrete made{initialState(system), {}};
-  for (auto id : enabledIn(made.state)) made.since.add(id, 0);
+  for (TransitionId id = 0; id < system.transitions.size(); ++id)
+    if (isEnabled(system, id, made.state.data())) made.since.add(id, 0);
   return made;
 }
 
@@ -91,15 +99,21 @@ std::optional<Concrete> Simulator::take(const Concrete& now, TransitionId id, st
   Concrete next{now.state, {}};
   log.clear();
   if (fire(system, id, next.state.data(), log) != Outcome::Done) return std::nullopt;
-  const auto enabled = enabledIn(next.state);
-  next.since.reserve(enabled.size());
-  for (auto other : enabled) {
+  const auto changed = affected(id, now.state, next.state);
+  next.since.reserve(now.since.size() + changed.size());
+  auto same = now.since.begin();
+  for (auto other : changed) {
+    for (; same != now.since.end() && same->first < other; ++same)
+      next.since.add(same->first, same->second);
+    if (same != now.since.end() && same->first == other) ++same;
+    if (!isEnabled(system, other, next.state.data())) continue;
     const auto clocked = withoutObservers(other);
-    auto before = now.since.find(clocked);
-    bool goesOn = before != now.since.end() && clocked != withoutObservers(id) &&
-                  !disturbs(system, id, clocked);
+    const auto before = now.since.find(clocked);
+    const bool goesOn = before != now.since.end() && clocked != withoutObservers(id) &&
+                        !disturbs(system, id, clocked);
     next.since.add(other, goesOn ? before->second : date);
   }
+  for (; same != now.since.end(); ++same) next.since.add(same->first, same->second);
   return next;
 }
 
@@ -137,14 +151,26 @@ bool Simulator::isAwaited(const Concrete& now, TransitionId id, std::int64_t dat
   return waits(id) || (system.hasPriorities && std::ranges::any_of(now.since, letsItGoFirst));
 }
 
-std::vector<TransitionId> Simulator::enabledIn(const std::vector<Word>& state) const {
+void Simulator::addTakingPart(InstanceId instance, const std::vector<Word>& state,
+                              std::vector<TransitionId>& to) const {
+  const auto at = readCell(system, system.instances[instance].location, state.data());
+  const auto& all = takingPart[instance][static_cast<std::size_t>(at)];
+  to.insert(to.end(), all.begin(), all.end());
+}
+
+std::vector<TransitionId> Simulator::affected(TransitionId step, const std::vector<Word>& before,
+                                              const std::vector<Word>& after) const {
   std::vector<TransitionId> all;
-  for (InstanceId i = 0; i < system.instances.size(); ++i) {
-    const auto at = readCell(system, system.instances[i].location, state.data());
-    for (auto id : startingAt[i][static_cast<std::size_t>(at)])
-      if (isEnabled(system, id, state.data())) all.push_back(id);
+  for (auto part : system.transitions[step].parts) {
+    const InstanceId instance = system.paths[part].instance;
+    addTakingPart(instance, before, all);
+    addTakingPart(instance, after, all);
   }
+  system.transitions[step].writes.each(
+      [&](CellId cell) { all.insert(all.end(), readers[cell].begin(), readers[cell].end()); });
   std::ranges::sort(all);
+  const auto repeated = std::ranges::unique(all);
+  all.erase(repeated.begin(), repeated.end());
   return all;
 }
 

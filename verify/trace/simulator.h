@@ -24,6 +24,7 @@ public:
   [[nodiscard]] Iterator begin() const { return entries.begin(); }
   [[nodiscard]] Iterator end() const { return entries.end(); }
   [[nodiscard]] bool empty() const { return entries.empty(); }
+  [[nodiscard]] std::size_t size() const { return entries.size(); }
   [[nodiscard]] Iterator find(TransitionId id) const {
     const auto found = std::ranges::lower_bound(entries, id, {}, &Entry::first);
     return found != end() && found->first == id ? found : end();
@@ -57,6 +58,9 @@ public:
   /// \param units number of time units in one unit of the model
   Simulator(const System& of, std::int64_t units);
 
+  /// Changes the unit of dates.
+  void setUnits(std::int64_t units) { scale = units; }
+
   [[nodiscard]] Concrete start() const;
   /// Whether no step has to happen before `date`.
   [[nodiscard]] bool mayWait(const Concrete& now, std::int64_t date) const;
@@ -77,8 +81,13 @@ public:
   [[nodiscard]] bool canGoOn(const Concrete& now, std::int64_t date) const;
 
 private:
-  /// In their order.
-  [[nodiscard]] std::vector<TransitionId> enabledIn(const std::vector<Word>& state) const;
+  /// Adds transitions that take part in an instance's present location.
+  void addTakingPart(InstanceId instance, const std::vector<Word>& state,
+                     std::vector<TransitionId>& to) const;
+  /// Those that a step between two states may enable, disable or disturb, in their order.
+  [[nodiscard]] std::vector<TransitionId> affected(TransitionId step,
+                                                   const std::vector<Word>& before,
+                                                   const std::vector<Word>& after) const;
   [[nodiscard]] bool isOldEnough(const Concrete& now, TransitionId id, std::int64_t date) const;
   [[nodiscard]] bool isBlocked(const Concrete& now, TransitionId id) const;
   [[nodiscard]] TransitionId withoutObservers(TransitionId id) const;
@@ -87,8 +96,10 @@ private:
 
   const System& system;
   std::int64_t scale;
-  /// By instance and location: transitions whose first part is there.
-  std::vector<std::vector<std::vector<TransitionId>>> startingAt;
+  /// By instance and location: transitions of which a part is there.
+  std::vector<std::vector<std::vector<TransitionId>>> takingPart;
+  /// By cell: transitions whose guards read it, unless it is the location of a part.
+  std::vector<std::vector<TransitionId>> readers;
 };
 
 } // namespace proskill::verify
