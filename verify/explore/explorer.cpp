@@ -114,11 +114,19 @@ void Explorer::expand(NodeIndex node) {
 
 /// Whether threads have expanded a node, or are to. Starts them if needed.
 bool Explorer::isForThreads(NodeIndex node) {
-  if (workers && workers->hasExpanded(node)) return true;
+  if (node < piece.end) return piece.isForThreads;
   const unsigned jobs = isLed ? 1 : limits.jobsFor(graph.size(), frontier.left() + 1);
-  if (jobs > 1 && !workers)
-    workers = std::make_unique<Workers>(system, goals, reductions, graph, limits, jobs);
-  return jobs > 1;
+  if (jobs == 1) return false;
+  if (!workers) workers = std::make_unique<Workers>(system, goals, reductions, graph, limits, jobs);
+  startPiece(node);
+  return piece.isForThreads;
+}
+
+/// The next nodes, which threads expand, or this thread alone if that is faster.
+void Explorer::startPiece(NodeIndex first) {
+  const double now = limits.seconds();
+  if (piece.end > 0) gain.add(now - piece.begun, piece.end - piece.first);
+  piece = {first, workers->endOfChunk(first), gain.areThreadsFaster(), now};
 }
 
 /// Adds to the graph what is possible from the node that is expanded.

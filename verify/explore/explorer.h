@@ -4,6 +4,7 @@
 #include "verify/checkpoint/parts.h"
 #include "verify/explore/path_steps.h"
 #include "verify/guide/frontier.h"
+#include "verify/threads/thread_gain.h"
 #include "verify/verify.h"
 
 #include <functional>
@@ -44,7 +45,8 @@ struct Pause {
 ///
 /// A long breadth-first search uses several threads: these compute what is possible from the next
 /// nodes of the frontier, and one thread adds it to the graph, in the order of the nodes. So the
-/// graph, the verdicts and the paths are those of one thread.
+/// graph, the verdicts and the paths are those of one thread. Where several threads are slower, one
+/// does everything.
 class Explorer {
 public:
   /// \pre the arguments outlive this
@@ -84,6 +86,7 @@ private:
   bool addSaved(CheckpointReader& from, StateId state, ZoneId zone, TransitionId step);
   void expand(NodeIndex node);
   [[nodiscard]] bool isForThreads(NodeIndex node);
+  void startPiece(NodeIndex first);
   void store(const Expansion& expansion);
   void add(const Successor& successor, const Word* words, std::span<const TransitionId> steps);
   void found(const Notice& notice);
@@ -104,7 +107,16 @@ private:
   Walker walker;
   OpenGoals goals;
   mutable Expander expander;
+  /// Consecutive nodes that are expanded in one way.
+  struct Piece {
+    NodeIndex first = 0;
+    NodeIndex end = 0;
+    bool isForThreads = false;
+    double begun = 0; ///< seconds
+  };
   std::unique_ptr<Workers> workers; ///< once the search is long
+  ThreadGain gain;
+  Piece piece; ///< of a long search
   Explored result;
   Frontier frontier;
   bool isLed;

@@ -108,12 +108,16 @@ Workers::~Workers() = default;
 const Expansion& Workers::expansionOf(NodeIndex node) {
   if (!hasExpanded(node)) {
     first = node;
-    end = std::min(graph.size(), first + kNodesOfChunk * static_cast<NodeIndex>(all.size()));
+    end = endOfChunk(first);
     expandChunk();
   }
   Expansion& made = chunk[node - first];
   all[makers[node - first]]->translate(made, graph.timing);
   return made;
+}
+
+NodeIndex Workers::endOfChunk(NodeIndex node) const {
+  return std::min(graph.size(), node + kNodesOfChunk * static_cast<NodeIndex>(all.size()));
 }
 
 /// Expands the nodes of the chunk in all threads.

@@ -20,7 +20,8 @@ public:
   Workers& operator=(const Workers&) = delete;
   ~Workers();
 
-  [[nodiscard]] bool hasExpanded(NodeIndex node) const { return first <= node && node < end; }
+  /// The end of the nodes that are expanded together if this node is the first of them.
+  [[nodiscard]] NodeIndex endOfChunk(NodeIndex node) const;
   /// What is possible from a node, in terms of the graph. Successors that the graph covered when
   /// this was computed are missing; they are covered for ever. Call this from one thread, for
   /// ascending nodes.
@@ -31,6 +32,7 @@ private:
   /// What one thread works with.
   class Worker;
 
+  [[nodiscard]] bool hasExpanded(NodeIndex node) const { return first <= node && node < end; }
   void prepareClaims();
   void expandChunk();
   void work(std::size_t worker);
