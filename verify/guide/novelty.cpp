@@ -9,7 +9,8 @@ namespace proskill::verify {
 namespace {
 
 constexpr std::int64_t kMostOfNumber = 256;  ///< values of a cell that is not a location
-constexpr std::size_t kMostInPairs = 32'768; ///< values of all cells: a bit for each pair
+constexpr std::size_t kMostInPairs = 32'768; ///< values of all cells: half a byte for each pair
+constexpr unsigned kRarestLevels = 15;
 
 Bits locationsOf(const System& system) {
   Bits cells;
@@ -64,17 +65,23 @@ Novelty::Degree Novelty::seePair(const Word* state) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!before.empty() && values[i] == before[i]) continue;
     for (std::size_t k = 0; k < values.size(); ++k)
-      if (isNewPair(values[i], values[k]) && degree == Degree::None) degree = Degree::Pair;
+      degree = std::min(degree, see(values[i], values[k]));
   }
   return degree;
 }
 
-bool Novelty::isNewPair(std::uint32_t one, std::uint32_t other) {
-  auto& row = pairs[std::max(one, other)];
-  row.resize(std::max(one, other) + std::size_t{1});
-  const auto at = std::min(one, other);
-  if (row[at]) return false;
-  return row[at] = true;
+/// Notes a pair. \return how often it was seen before: a level for each doubling, which is counted
+/// at random
+Novelty::Degree Novelty::see(std::uint32_t one, std::uint32_t other) {
+  const auto [less, more] = std::minmax(one, other);
+  auto& row = pairs[more];
+  row.resize(more / 2 + std::size_t{1});
+  std::uint8_t& both = row[less / 2];
+  const unsigned shift = less % 2 * 4;
+  const unsigned level = both >> shift & 15U;
+  if (level < kRarestLevels && random() % (1U << level) == 0)
+    both = static_cast<std::uint8_t>(both + (1U << shift));
+  return static_cast<Degree>(Pair + level);
 }
 
 } // namespace proskill::verify

@@ -3,18 +3,21 @@
 #include "verify/model/system.h"
 
 #include <map>
+#include <random>
 #include <vector>
 
 namespace proskill::verify {
 
 /// How new a state is among those seen before: it has a new value of some cell, or a new pair of
-/// values, or neither. A search that begins with new states soon reaches what needs few things at a
-/// time, however many processes there are. Lipovetzky and Geffner, "Width and serialization of
+/// values, or a pair that was seen rarely. A search that begins with new states soon reaches what
+/// needs few things at a time, however many processes there are; among the others, rare pairs lead
+/// it on from where few runs have come. Lipovetzky and Geffner, "Width and serialization of
 /// classical planning problems", ECAI 2012, and "Best-first width search", AAAI 2017.
 class Novelty {
 public:
-  /// The smaller, the newer.
-  enum class Degree : std::uint8_t { Value, Pair, None };
+  /// The smaller, the newer. From `Pair` on: about the binary logarithm of how often the rarest
+  /// pair was seen.
+  enum Degree : std::uint8_t { Value, Pair, None = UINT8_MAX };
 
   /// \param laidOut with its state layout
   explicit Novelty(const System& laidOut);
@@ -35,13 +38,15 @@ private:
   };
 
   void readValues(const Word* state);
-  [[nodiscard]] bool isNewPair(std::uint32_t one, std::uint32_t other);
+  [[nodiscard]] Degree see(std::uint32_t one, std::uint32_t other);
 
   const System& system;
+  std::minstd_rand random;
   std::vector<Tracked> tracked;
-  std::uint32_t count = 0;              ///< of values of all cells
-  std::vector<std::vector<bool>> pairs; ///< by the greater and the smaller of two values, once the
-                                        ///< greater was seen; empty: too many values
+  std::uint32_t count = 0; ///< of values of all cells
+  /// By the greater and the smaller of two values, once the greater was seen: how often the pair
+  /// was, in levels of four bits. Empty: there are too many values.
+  std::vector<std::vector<std::uint8_t>> pairs;
   std::map<std::uint32_t, std::vector<bool>> seen; ///< by group and value
   std::vector<std::uint32_t> values; ///< of the state that was read last, by tracked cell
   std::vector<std::uint32_t> before; ///< of the state that is expanded

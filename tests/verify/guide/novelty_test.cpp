@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <tuple>
+
 namespace proskill::test::novelty_test {
 
 namespace {
@@ -50,7 +52,20 @@ TEST_CASE("a state is new by a value, by a pair of values, or not at all") {
   CHECK(seen.pair(0, 1) == Novelty::Degree::Value);
   seen.expand(1, 0);
   CHECK(seen.pair(1, 1) == Novelty::Degree::Pair);
-  CHECK(seen.pair(1, 1) == Novelty::Degree::None);
+  CHECK(seen.pair(1, 1) > Novelty::Degree::Pair);
+}
+
+TEST_CASE("a pair that was seen rarely is newer than one that was seen often") {
+  Seen seen;
+  for (int i = 0; i < 100; ++i) std::ignore = seen.pair(0, 0);
+  for (int i = 0; i < 10; ++i) std::ignore = seen.pair(1, 1);
+  seen.expand(0, 1);
+  const auto often = seen.pair(0, 0);
+  const auto rarely = seen.pair(1, 1);
+  CHECK(rarely > Novelty::Degree::Pair);
+  CHECK(rarely < often);
+  CHECK(often < Novelty::Degree::None);
+  CHECK(seen.pair(0, 1) == Novelty::Degree::None); // the same as before
 }
 
 TEST_CASE("the location of a long mission counts, a wide number does not") {
@@ -73,7 +88,7 @@ TEST_CASE("the location of a long mission counts, a wide number does not") {
   CHECK(degreeOf(kLast, 0, 0) == Novelty::Degree::Value);
   CHECK(degreeOf(0, 0, 1) == Novelty::Degree::Value);
   CHECK(degreeOf(kLast, 0, 1) == Novelty::Degree::Pair);
-  CHECK(degreeOf(kLast, kLast, 1) == Novelty::Degree::None);
+  CHECK(degreeOf(kLast, kLast, 1) > Novelty::Degree::Pair);
 }
 
 TEST_CASE("values are new in each group of states") {
