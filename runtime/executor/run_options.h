@@ -24,7 +24,7 @@ struct RunOptions {
   /// Time that actions have to stop before the platform is given up.
   Nanoseconds grace = 5 * kSecond;
   /// Number of steps at one date that is taken for an endless loop.
-  std::uint64_t mostAtOnce = 1'000'000;
+  std::uint64_t mostAtOnce = 100'000;
   /// Counts requests to end the run. May be null.
   const std::atomic<int>* stopRequests = nullptr;
   int stopDescriptor = -1; ///< an eventfd that is written to at each request
