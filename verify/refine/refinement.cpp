@@ -159,6 +159,7 @@ SearchResult Refinement::searchFor(const Group& group, const Prepared& prepared,
 /// Completes the runs that were found to runs of the whole, or else refines the slices.
 void Refinement::readRuns(const Group& group, RefinedSlice& slice, const Prepared& prepared,
                           const SearchResult& found, Asking& asking) {
+  if (std::ranges::none_of(found.goals, &std::optional<Evidence>::has_value)) return;
   const System allCells = laidOutCopy(slice.part(), limits);
   const Witness witness(allCells, prepared.reductions, provenance, limits);
   const bool isSmall = found.statistics.classes <= kMostTogether;

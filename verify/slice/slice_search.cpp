@@ -156,13 +156,12 @@ void SliceSearch::explore(const Group& group, const std::vector<Goal>& goals,
   std::vector<Goal> own;
   for (auto i : asked) own.push_back(goals[i]);
   const System allCells = laidOutCopy(slice.system, limits);
-  const Enabling enabling(allCells);
   const Prepared prepared(slice.system, own, takes, limits);
   const Witness witness(allCells, prepared.reductions, provenance, limits);
   const Bits planned = slice.punctual();
   const auto onFound = [&](std::size_t i, const Evidence& evidence) {
     const Evidence tidied = witness.tidied(own[i], evidence);
-    const auto dating = dated(allCells, enabling, tidied, limits);
+    const auto dating = witness.dates(tidied);
     if (!dating) return;
     const auto steps = wholeRun(whole, slice.inWhole(tidied.steps), planned, *dating, limits);
     if (!steps) return;

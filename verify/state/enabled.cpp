@@ -115,17 +115,19 @@ void Enabling::findAffected(const Bits& dropped) {
     others.each([&](CellId cell) { readers[cell].push_back(i); });
   }
   TransitionSet all(urgent.size());
+  std::vector<std::uint32_t> words;
   for (const auto& transition : system.transitions) {
-    std::vector<std::uint32_t> words;
+    affectedBy.push_back(static_cast<std::uint32_t>(affected.size()));
+    words.clear();
     transition.writes.each([&](CellId cell) {
       for (auto reader : readers[cell]) {
         if (all[reader / 64] == 0) words.push_back(reader / 64);
         insert(all, reader);
       }
     });
-    auto& slices = affected.emplace_back();
-    for (auto word : words) slices.push_back({word, std::exchange(all[word], 0)});
+    for (auto word : words) affected.push_back({word, std::exchange(all[word], 0)});
   }
+  affectedBy.push_back(static_cast<std::uint32_t>(affected.size()));
 }
 
 bool Enabling::isPossible(TransitionId transition, const Word* state) const {
@@ -204,9 +206,10 @@ void Enabling::update(TransitionId fired, const Word* state, TransitionSet& enab
   }
   for (auto part : system.transitions[fired].parts)
     lookAtPlace(system.paths[part].instance, state, enabled);
-  for (const auto& slice : affected[fired])
-    for (Word rest = slice.bits; rest != 0; rest &= rest - 1)
-      look(slice.word * 64 + static_cast<TransitionId>(std::countr_zero(rest)), state, enabled);
+  for (auto i = affectedBy[fired]; i < affectedBy[fired + 1]; ++i)
+    for (Word rest = affected[i].bits; rest != 0; rest &= rest - 1)
+      look(affected[i].word * 64 + static_cast<TransitionId>(std::countr_zero(rest)), state,
+           enabled);
 }
 
 std::size_t Enabling::locationOf(InstanceId instance, const Word* state) const {

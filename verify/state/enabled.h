@@ -69,9 +69,10 @@ private:
   std::vector<BitTest> tests;
   TransitionSet urgent;
   TransitionSet clocked;
-  /// By transition: the transitions whose guards read what it writes, except locations of its own
-  /// instances.
-  std::vector<std::vector<Slice>> affected;
+  /// By transition, from its position in `affectedBy` to that of the next one: the transitions
+  /// whose guards read what it writes, except locations of its own instances.
+  std::vector<Slice> affected;
+  std::vector<std::uint32_t> affectedBy;
   using ByPlace = std::vector<std::vector<std::vector<TransitionId>>>; ///< by instance and location
   ByPlace takingPart; ///< transitions with a part in this location
   ByPlace starting;   ///< those whose first part is in this location

@@ -10,6 +10,8 @@ constexpr int kMostBits = 8; ///< of a cell; others are not tabled
 constexpr std::size_t kMostTransitions = 4096;
 constexpr std::size_t kMostWords = std::size_t{1} << 15; ///< of all sets
 
+bool isTabled(const Cell& cell) { return cell.mask != 0 && std::popcount(cell.mask) <= kMostBits; }
+
 bool isIn(const Cell& cell, const BitTest& test) {
   return cell.word == test.word && (cell.mask & test.mask) != 0;
 }
@@ -17,8 +19,7 @@ bool isIn(const Cell& cell, const BitTest& test) {
 /// Whether what a test excludes can be said of a cell alone. A test for equality of several cells
 /// is one test for each of them.
 bool isSplitBy(const Cell& cell, const BitTest& test) {
-  return std::popcount(cell.mask) <= kMostBits && isIn(cell, test) &&
-         (test.equal || (test.mask & ~cell.mask) == 0);
+  return isIn(cell, test) && (test.equal || (test.mask & ~cell.mask) == 0);
 }
 
 /// Whether a test excludes a value, which is given in its place in the word.
@@ -39,16 +40,19 @@ public:
   }
 
   void add(const Cell& cell) {
+    if (!isTabled(cell)) return;
+    const std::vector<TestOf> tests = testsSplitBy(cell);
+    if (tests.empty()) return;
     const std::size_t first = tables.sets.size();
     bool excludes = false;
-    if (cell.mask == 0 || std::popcount(cell.mask) > kMostBits) return;
     for (Word value = 0; value <= cell.mask >> cell.shift; ++value) {
-      TransitionSet left = tables.all;
-      for (const auto& [transition, test] : testsOf[cell.word])
-        if (isSplitBy(cell, *test) && isExcluded(cell, value << cell.shift, *test))
-          erase(left, transition);
-      excludes = excludes || left != tables.all;
-      tables.sets.insert(tables.sets.end(), left.begin(), left.end());
+      const std::size_t at = tables.sets.size();
+      tables.sets.insert(tables.sets.end(), tables.all.begin(), tables.all.end());
+      for (const auto& [transition, test] : tests) {
+        if (!isExcluded(cell, value << cell.shift, *test)) continue;
+        tables.sets[at + transition / 64] &= ~(Word{1} << (transition % 64));
+        excludes = true;
+      }
     }
     if (!excludes) return tables.sets.resize(first);
     tables.fields.push_back(
@@ -63,7 +67,7 @@ public:
     });
     std::vector<std::vector<const Cell*>> cellsOf(system.words);
     for (const auto& cell : system.cells)
-      if (cell.mask != 0) cellsOf[cell.word].push_back(&cell);
+      if (isTabled(cell)) cellsOf[cell.word].push_back(&cell);
     for (std::size_t word = 0; word < testsOf.size(); ++word)
       for (const auto& [transition, test] : testsOf[word]) {
         Word split = 0;
@@ -79,6 +83,13 @@ private:
     const BitTest* test = nullptr;
   };
 
+  [[nodiscard]] std::vector<TestOf> testsSplitBy(const Cell& cell) const {
+    std::vector<TestOf> split;
+    for (const auto& each : testsOf[cell.word])
+      if (isSplitBy(cell, *each.test)) split.push_back(each);
+    return split;
+  }
+
   const System& system;
   GuardTables& tables;
   std::vector<std::vector<TestOf>> testsOf; ///< by word of the state
@@ -88,10 +99,10 @@ GuardTables::GuardTables(const System& system, const TransitionSet& possible)
     : all(possible), others(possible.size()) {
   if (system.transitions.size() > kMostTransitions) return;
   Maker maker(system, *this);
+  const auto isFast = [&] { return fields.size() * all.size() <= system.transitions.size(); };
   for (const auto& cell : system.cells)
-    if (sets.size() <= kMostWords) maker.add(cell);
-  const bool isFast = fields.size() * all.size() <= system.transitions.size();
-  if (isFast && sets.size() <= kMostWords) {
+    if (isFast() && sets.size() <= kMostWords) maker.add(cell);
+  if (isFast() && sets.size() <= kMostWords) {
     maker.findOthers();
   } else {
     fields.clear();

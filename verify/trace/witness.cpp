@@ -87,21 +87,36 @@ Evidence without(const Evidence& evidence, std::size_t step) {
 Witness::Witness(const System& whole, const Reductions& used, const fiacre::Provenance& origins,
                  LimitWatch& watch)
     : system(whole),
-      enabling(whole, used.dropped),
-      all(whole),
-      dropped((whole.transitions.size() + 63) / 64),
+      dropped(used.dropped),
       provenance(origins),
       limits(watch),
       played(whole, watch),
       changing(whole.transitions.size()) {
   if (used.freeInputs) open.emplace(*used.freeInputs, whole);
-  used.dropped.each([&](TransitionId id) { insert(dropped, id); });
+}
+
+const Enabling& Witness::enablingOfAll() const { return madeOnce(wholeTables, {}); }
+
+const Enabling& Witness::enablingOfSearch() const {
+  return dropped.empty() ? enablingOfAll() : madeOnce(searchedTables, dropped);
+}
+
+const Enabling& Witness::madeOnce(std::optional<Enabling>& tables, const Bits& without) const {
+  if (!tables) {
+    limits.checkLargeGrowth(Enabling::mostBytes(system));
+    tables.emplace(system, without);
+  }
+  return *tables;
+}
+
+std::optional<Dating> Witness::dates(const Evidence& evidence) const {
+  return dated(system, enablingOfAll(), evidence, limits);
 }
 
 /// Dates and replays the evidence. \param windows see dated() \return an error; empty on success
 std::string Witness::check(const Goal& goal, const Evidence& evidence,
                            std::optional<Dating>& dating, bool windows) const {
-  dating = dated(system, all, evidence, limits, windows);
+  dating = dated(system, enablingOfAll(), evidence, limits, windows);
   if (!dating) return "the steps have no dates";
   return replay(system, goal, evidence, *dating, played);
 }
@@ -173,7 +188,7 @@ std::expected<Trace, std::string> Witness::trace(const Goal& goal, const Evidenc
 /// reached, the trace stays unchanged.
 void Witness::addCauses(const Goal& goal, const Evidence& evidence, Trace& trace) const {
   try {
-    auto causes = causesOf(system, all, provenance, goal, evidence, limits);
+    auto causes = causesOf(system, enablingOfAll(), provenance, goal, evidence, limits);
     const bool stands = reproduces(system, goal, evidence, causes.relevant);
     for (std::size_t i = 0; i < trace.steps.size(); ++i) {
       auto& step = trace.steps[i];
@@ -226,8 +241,8 @@ Evidence Witness::lazily(const Goal& goal, const Evidence& evidence) const {
   const bool valuesAtEnd = goal.kind == GoalKind::Stuck;
   const bool lastIsAskedFor = !valuesAtEnd && goal.kind != GoalKind::Run;
   const std::vector<bool> read = readSteps(evidence);
-  FollowedState there(system, enabling); // as in the search
-  FollowedState here(system, enabling);
+  FollowedState there(system, enablingOfSearch()); // as in the search
+  FollowedState here(system, enablingOfSearch());
   Rewritten made;
   const auto take = [&](TransitionId id) {
     limits.check();
@@ -256,10 +271,11 @@ Evidence Witness::lazily(const Goal& goal, const Evidence& evidence) const {
 
 /// The steps with those of the dropped processes inserted as soon as they are urgent.
 Evidence Witness::completed(const Goal& goal, const Evidence& evidence) const {
-  if (isEmpty(dropped)) return evidence;
+  if (dropped.empty()) return evidence;
   Rewritten made;
   std::vector<Word> state = initialState(system);
   TransitionSet enabled;
+  const Enabling& all = enablingOfAll();
   all.compute(state.data(), enabled);
   StepLog log;
   const auto take = [&](TransitionId id) {
@@ -271,8 +287,8 @@ Evidence Witness::completed(const Goal& goal, const Evidence& evidence) const {
   };
   const auto takeOne = [&](bool urgent) {
     Steps possible;
-    eachInBoth(enabled, dropped, [&](TransitionId id) {
-      if (system.transitions[id].urgent == urgent) possible.push_back(id);
+    dropped.each([&](TransitionId id) {
+      if (contains(enabled, id) && system.transitions[id].urgent == urgent) possible.push_back(id);
     });
     return std::ranges::any_of(possible, take);
   };

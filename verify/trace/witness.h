@@ -23,6 +23,8 @@ public:
   /// The evidence of a search as steps of the whole system, with as few steps as possible. \throw
   /// LimitMet
   [[nodiscard]] Evidence tidied(const Goal& goal, const Evidence& evidence) const;
+  /// Dates of the steps, if they have any. \throw LimitMet
+  [[nodiscard]] std::optional<Dating> dates(const Evidence& evidence) const;
   /// Replays these steps. \return why the replay fails, or an empty string
   /// \throw LimitMet
   [[nodiscard]] std::string refutation(const Goal& goal, const Evidence& evidence) const;
@@ -42,11 +44,18 @@ private:
   [[nodiscard]] const std::vector<std::uint32_t>& watchedBy(TransitionId step) const;
   [[nodiscard]] Evidence lazily(const Goal& goal, const Evidence& evidence) const;
   [[nodiscard]] Evidence completed(const Goal& goal, const Evidence& evidence) const;
+  /// Of all transitions. \throw LimitMet
+  [[nodiscard]] const Enabling& enablingOfAll() const;
+  /// As the search computed it. \throw LimitMet
+  [[nodiscard]] const Enabling& enablingOfSearch() const;
+  [[nodiscard]] const Enabling& madeOnce(std::optional<Enabling>& tables,
+                                         const Bits& without) const;
 
   const System& system;
-  Enabling enabling; ///< as the search computed it
-  Enabling all;
-  TransitionSet dropped;          ///< transitions that the search skipped
+  Bits dropped; ///< transitions that the search skipped
+  // They are large, and most searches find nothing to show.
+  mutable std::optional<Enabling> wholeTables;
+  mutable std::optional<Enabling> searchedTables;
   std::optional<FreeInputs> open; ///< the free inputs that the search used
   const fiacre::Provenance& provenance;
   LimitWatch& limits;
