@@ -70,7 +70,7 @@ std::optional<Observed> verified(const std::string& text) {
       asked.push_back({check.property, check.fair, check.exempt, check.rests});
     }
   const auto result =
-      verify::verify(model->fiacre, model->provenance, asked, {.limits = {.classes = 30'000}});
+      verify::verify(model->fiacre, model->provenance, asked, {.limits = {.classes = 10'000}});
   REQUIRE(result);
   Observed observed;
   for (std::size_t i = 0; i < checks.size(); ++i) {
