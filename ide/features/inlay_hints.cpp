@@ -3,6 +3,7 @@
 #include "analysis/flow/result/durations.h"
 #include "analysis/flow/values_at.h"
 #include "analysis/names/walk.h"
+#include "ide/snapshot/before_errors.h"
 #include "ide/snapshot/flow_values.h"
 
 #include <algorithm>
@@ -162,10 +163,34 @@ private:
   std::vector<InlayHint> hints;
 };
 
+/// The hint at its place in the current text, if that is in the range and unchanged. What it is
+/// about may have moved.
+std::optional<InlayHint> kept(InlayHint hint, const SkillBeforeErrors& skill, syntax::Range range) {
+  const auto now = skill.now(hint.at);
+  if (!now || *now < range.begin || *now > range.end) return std::nullopt;
+  hint.at = *now;
+  hint.tooltip += " As of the last text without errors.";
+  hint.about.reset();
+  return hint;
+}
+
+/// Adds what was known from the flow before the program had errors, so that hints do not come and
+/// go with each key.
+void addKept(const View& view, syntax::Range range, std::vector<InlayHint>& hints) {
+  for (const auto& skill : skillsBeforeErrors(view, range))
+    for (auto& hint : Hints(skill.view, skill.range).gather()) {
+      if (hint.kind == HintKind::ArgumentType) continue; // needs no flow
+      if (auto now = kept(std::move(hint), skill, range)) hints.push_back(std::move(*now));
+    }
+  std::ranges::stable_sort(hints, {}, &InlayHint::at);
+}
+
 } // namespace
 
 std::vector<InlayHint> inlayHints(const View& view, syntax::Range range) {
-  return Hints(view, range).gather();
+  auto hints = Hints(view, range).gather();
+  addKept(view, range, hints);
+  return hints;
 }
 
 std::vector<InlineVariable> inlineVariables(const View& view, syntax::Range range) {

@@ -90,14 +90,16 @@ analysis::Program loaded(const Overlay& files, const fs::path& root) {
 } // namespace
 
 AnalysedProgram::AnalysedProgram(analysis::Program loaded, analysis::flow::Settings settings,
-                                 const AnalysedProgram* earlier)
+                                 const std::shared_ptr<const AnalysedProgram>& earlier)
     : shared(std::make_shared<const analysis::Program>(std::move(loaded))),
       program(*shared),
       analysis(earlier ? analysis::analyse(program, {earlier->program, earlier->analysis})
                        : analysis::analyse(program)),
       settings(std::move(settings)),
       flows(analysis::flow::hasFlow(program, analysis)) {
-  if (earlier) takeFlow(*earlier);
+  if (!earlier) return;
+  takeFlow(*earlier);
+  if (!flows) lastGood = earlier->flows ? earlier : earlier->beforeErrors();
 }
 
 /// Reuses the flow: white space and comments do not change it.
@@ -160,8 +162,14 @@ std::shared_ptr<const KnownFlow> AnalysedProgram::flowIfKnown() const {
   return knownFlow;
 }
 
+std::shared_ptr<const AnalysedProgram> AnalysedProgram::beforeErrors() const {
+  const std::lock_guard lock(mutex);
+  return lastGood;
+}
+
 void AnalysedProgram::forgetFlow() const {
   const std::lock_guard lock(mutex);
+  lastGood.reset();
   knownFlow.reset();
   known = withoutFlow(known);
   remembered = withoutFlow(remembered);
@@ -328,7 +336,7 @@ void Snapshot::analyse(const std::shared_ptr<Entry>& entry, const fs::path& root
   }
   auto whole = std::make_shared<const AnalysedProgram>(
       loaded(Overlay(*disk, *this), root), settings ? settings(root) : analysis::flow::Settings{},
-      earlier.get());
+      earlier);
   std::lock_guard lock(mutex);
   entry->program = std::move(whole);
   entry->earlier.reset();

@@ -43,7 +43,7 @@ class AnalysedProgram {
 public:
   /// \param earlier the program before some edits, or null: its valid results are reused
   AnalysedProgram(analysis::Program loaded, analysis::flow::Settings settings,
-                  const AnalysedProgram* earlier = nullptr);
+                  const std::shared_ptr<const AnalysedProgram>& earlier = nullptr);
   AnalysedProgram(const AnalysedProgram&) = delete;
   AnalysedProgram& operator=(const AnalysedProgram&) = delete;
 
@@ -55,8 +55,11 @@ public:
   [[nodiscard]] std::shared_ptr<const KnownFlow> flow() const;
   /// The same without computing it; null if it is not known yet.
   [[nodiscard]] std::shared_ptr<const KnownFlow> flowIfKnown() const;
+  /// For a program with errors, its last version without errors. Null if there was none, if its
+  /// flow was forgotten, and for a program without errors.
+  [[nodiscard]] std::shared_ptr<const AnalysedProgram> beforeErrors() const;
   /// Frees the memory of the flow, which is most of a program's. It is computed again on the next
-  /// access; the findings stay known.
+  /// access; the findings stay known. That of the last version without errors is freed, too.
   void forgetFlow() const;
   /// Notes that somebody needed the flow but could not wait for it. Thread-safe.
   void missFlow() const { missedFlow = true; }
@@ -92,6 +95,7 @@ private:
   mutable std::shared_ptr<const KnownFlow> knownFlow;
   mutable Memory known;      ///< of this program
   mutable Memory remembered; ///< of an earlier version, until this one's own is known; may be null
+  mutable std::shared_ptr<const AnalysedProgram> lastGood; ///< see `beforeErrors`
   mutable analysis::Once findingsOnce;
   mutable std::vector<syntax::Diagnostic> knownFindings;
 };
