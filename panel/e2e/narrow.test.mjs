@@ -1,6 +1,6 @@
 // Small panels and paper: everything is present and usable.
 import assert from 'node:assert/strict';
-import { writeFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, test } from 'node:test';
 import { choosePicture, closeBrowser, eventually, openTrace, page, run, shot, view, workspace } from './browser.mjs';
@@ -9,10 +9,11 @@ after(closeBrowser);
 
 async function rover(size, body) {
   const files = workspace();
-  const served = await view(join(files.path, 'rover/bug.proskill'));
+  const file = join(files.path, 'rover/bug.proskill');
+  const served = await view(file);
   const it = await page({ viewport: size });
   await openTrace(it, served.url);
-  await body(it);
+  await body(it, file);
   assert.deepEqual(it.complaints, []);
   assert.equal(await served.end(), 0);
   files.remove();
@@ -47,6 +48,29 @@ for (const [width, height] of [[380, 760], [520, 420], [720, 500]])
     await usable(it, { '.stage': 150 });
     await shot(it, `narrow_${width}_automaton`);
   }));
+
+/** Whether a part is within the window, and no other part is above it. */
+const inView = (part) => {
+  const { left, top, bottom, height } = part.getBoundingClientRect();
+  const isOnTop = (y) => part.contains(document.elementFromPoint(left + 60, y));
+  return height > 15 && top >= 0 && bottom <= innerHeight + 1 && isOnTop(top + 3) && isOnTop(bottom - 3);
+};
+
+for (const width of [380, 480, 800])
+  test(`the current step is in view at ${width} by 500`, () => rover({ width, height: 500 }, async (it) => {
+    for (const key of ['', 'Home', 'ArrowDown', 'End', 'PageUp']) {
+      if (key) await it.keyboard.press(key);
+      await eventually(async () => assert.ok(await it.locator('.step.current').evaluate(inView), `after ${key || 'opening'}`));
+    }
+    await shot(it, `narrow_low_${width}`);
+  }));
+
+test('the source is below the trace where three columns would be too narrow', () => rover({ width: 800, height: 900 }, async (it) => {
+  const [verdicts, trace, source] = await Promise.all(['.verdicts', '.trace-view', '.source'].map((place) => it.locator(place).boundingBox()));
+  assert.ok(trace.width > 600 && source.width > 600, `${trace.width} and ${source.width} wide`);
+  assert.ok(verdicts.height > 800 && source.y >= trace.y + trace.height && source.y + source.height <= 900);
+  for (const place of ['.step.current', '.source .marked-line']) assert.ok(await it.locator(place).first().evaluate(inView), place);
+}));
 
 test('a run beside a program shows its last step and the automaton without scrolling', async () => {
   const files = workspace();
@@ -159,6 +183,54 @@ test('the layout goes by the width of the panel, not by that of the window', () 
     assert.ok(values.y >= steps.y + steps.height, 'values stand below the steps');
     assert.ok(steps.width > 340, `steps are ${steps.width} wide`);
   });
+}));
+
+for (const width of [380, 480, 600])
+  test(`while the text has errors, nothing moves at ${width} pixels`, () => rover({ width, height: 760 }, async (it, file) => {
+    const places = () => it.locator('.trace-head > *, .steps, .values, .lanes').evaluateAll((all) => all.map((part) => JSON.stringify(part.getBoundingClientRect())));
+    const text = readFileSync(file, 'utf8');
+    const before = await places();
+    writeFileSync(file, `${text}\n(defskill`);
+    await it.locator('.stale-mark:visible').waitFor();
+    assert.deepEqual(await places(), before);
+    await shot(it, `narrow_stale_${width}`);
+    writeFileSync(file, text);
+    await it.locator('.stale-mark').waitFor({ state: 'hidden' });
+    assert.deepEqual(await places(), before);
+  }));
+
+test('all that takes the keyboard has a name, and shows that it has it', () => rover({ width: 1200, height: 800 }, async (it) => {
+  for (const tab of ['trace', 'automaton', 'simulation']) {
+    await it.locator(`#tab-${tab}`).click();
+    if (tab === 'automaton') await choosePicture(it, { index: 1 });
+    if (tab === 'simulation') await it.locator('.choice').first().waitFor();
+    await it.locator(`#tab-${tab}`).focus();
+    const names = [];
+    do {
+      await it.keyboard.press('Tab');
+      const { name, isMarked } = await it.evaluate(() => {
+        const part = document.activeElement;
+        const { outlineStyle } = getComputedStyle(part);
+        const frame = getComputedStyle(part.closest('.search-frame') ?? part);
+        const accent = Object.assign(document.body.appendChild(document.createElement('i')), { style: 'color: var(--accent)' });
+        const isMarked = outlineStyle !== 'none' || frame.borderTopColor === getComputedStyle(accent).color;
+        accent.remove();
+        return { name: part === document.body ? '' : part.getAttribute('aria-label') ?? part.textContent, isMarked };
+      });
+      assert.ok(name.trim(), `${names.at(-1)} is followed by something without a name`);
+      assert.ok(isMarked, `${name} does not show that it has the keyboard`);
+      names.push(name);
+    } while (names.at(-1) !== 'Source text');
+    assert.ok(names.length > 10, names.join(', '));
+  }
+}));
+
+test('paper is light, whatever the screen is', () => rover({ width: 1000, height: 500 }, async (it) => {
+  await it.emulateMedia({ colorScheme: 'dark' });
+  const ground = () => it.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  await eventually(async () => assert.notEqual(await ground(), 'rgb(255, 255, 255)'));
+  await it.emulateMedia({ colorScheme: 'dark', media: 'print' });
+  assert.equal(await ground(), 'rgb(255, 255, 255)');
 }));
 
 test('on paper all steps are there, one below the other', () => rover({ width: 1000, height: 500 }, async (it) => {

@@ -29,6 +29,7 @@ describe('a run that the user chooses', () => {
   let folder, file, served, it;
   const sim = (selector) => it.locator(`.simulation-view ${selector}`);
   const steps = () => sim('.row.step').count();
+  const places = () => sim('.choices, .stage').evaluateAll((all) => all.map((part) => JSON.stringify([part.getBoundingClientRect().x, part.getBoundingClientRect().y])));
   const choice = (text) => sim('.choice').filter({ hasText: text });
   const take = async (text) => {
     const before = await steps();
@@ -102,14 +103,16 @@ describe('a run that the user chooses', () => {
 
   test('after an edit the run is taken again: the step that is missing is named, and the run is whole when the text is', async () => {
     const all = await steps();
+    const before = await places();
     writeFileSync(file, kProgram.replace(':success lit', ':success shines'));
     await sim('.notice.stale').filter({ hasText: 'Step 4 of' }).waitFor();
-    assert.match(await sim('.notice').first().textContent(), /is not possible any more.*light.*succeeds with lit; now light/);
+    assert.deepEqual(await places(), before, 'no part has moved');
+    assert.match(await it.locator('.simulation-view > .foot .notice').textContent(), /is not possible any more.*light.*succeeds with lit; now light/);
     assert.equal(await steps(), 3);
     await shot(it, 'simulation_missing');
     writeFileSync(file, `; a line above\n${kProgram}`);
     await eventually(async () => assert.equal(await steps(), all));
-    assert.equal(await sim('.simulation-view > .notice:visible').count(), 0);
+    assert.equal(await it.locator('.simulation-view > .foot .notice:visible').count(), 0);
   });
 
   test('a text with errors leaves the run as it was', async () => {

@@ -203,13 +203,17 @@ describe('the lift, in which two skills want the doors', () => {
     const path = join(files.path, 'lift/building.proskill');
     const text = readFileSync(path, 'utf8');
     const nodes = await it.locator('.stage g.node').count();
+    const places = () => it.locator('.stage g.node').evaluateAll((all) => all.map((node) => JSON.stringify(node.getBoundingClientRect())));
+    const before = await places();
     writeFileSync(path, text.replace('(serve_call)', '(serve_cal)'));
     await it.locator('.notice', { hasText: 'last valid picture' }).waitFor();
     assert.match(await it.locator('.state').textContent(), /serve_cal/);
     assert.equal(await it.locator('.stage g.node').count(), nodes);
+    assert.deepEqual(await places(), before, 'no node has moved');
     await shot(it, 'lift_broken');
     writeFileSync(path, text);
     await it.locator('.notice').waitFor({ state: 'hidden' });
+    assert.deepEqual(await places(), before, 'nor when the text is whole again');
     await eventually(async () => assert.match(await it.locator('.state').textContent(), /classes in/));
   });
 

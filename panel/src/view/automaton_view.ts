@@ -3,7 +3,7 @@ import type { ActorColours } from '../model/colours.ts';
 import { fileName } from '../model/export.ts';
 import type { Active } from '../model/active.ts';
 import { activeParts, find, neighbour, partAt, partsOf, skillAt, type Box, type Part } from '../model/picture.ts';
-import { h, isTyping } from './dom.ts';
+import { foot, h, isTyping } from './dom.ts';
 import { button, icon, toggle } from './icons.ts';
 import { menu, type Section } from './menu.ts';
 import { toPng, type Saver } from './save.ts';
@@ -58,7 +58,7 @@ export class AutomatonView {
         button({ icon: 'plus', title: 'Zoom in (+)', onclick: () => this.stage.zoom(1.3) }),
         button({ icon: 'fit', title: 'Fit (0)', onclick: () => this.stage.fit() }),
         menu({ icon: 'download', title: 'Save and copy', content: () => this.saveSections() })),
-      this.notice, this.stage.element, this.words);
+      this.stage.element, foot(this.notice, this.words));
   }
 
   /** The picture that will be shown, so that no other is requested before. */
@@ -152,6 +152,7 @@ export class AutomatonView {
     }));
   }
 
+  /** Below the picture, which does not move when errors come and go. */
   private say(words: string, stale: boolean): void {
     this.notice.textContent = words;
     this.notice.hidden = words === '';

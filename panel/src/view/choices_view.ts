@@ -14,7 +14,7 @@ export interface ChoicesEvents {
 export class ChoicesView {
   readonly element: HTMLElement;
   private readonly list: HTMLElement;
-  private readonly title = h('h3', {}, 'What may happen next');
+  private readonly title = h('h2', {}, 'What may happen next');
   private choices: Step[] = [];
   private rows: HTMLElement[] = [];
   private at = 0;

@@ -38,6 +38,11 @@ export function setChildren(parent: Element, children: readonly Element[]): void
   }
 }
 
+/** A line at the bottom of a view. It is always there, and longer words cover what is above, so that nothing moves when they come and go. */
+export function foot(...children: Element[]): HTMLElement {
+  return h('div', { class: 'foot' }, h('div', { class: 'foot-line' }, ...children));
+}
+
 /** Text in which names in backquotes become code. */
 export function prose(text: string): DocumentFragment {
   const out = document.createDocumentFragment();

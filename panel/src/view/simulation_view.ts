@@ -6,7 +6,7 @@ import { testOf } from '../model/saved_run.ts';
 import { fileName } from '../model/export.ts';
 import { AutomatonView } from './automaton_view.ts';
 import { ChoicesView } from './choices_view.ts';
-import { h, isTyping, plural, prose } from './dom.ts';
+import { foot, h, isTyping, plural, prose } from './dom.ts';
 import { button, enable } from './icons.ts';
 import type { Saver } from './save.ts';
 import { splitter } from './splitter.ts';
@@ -51,7 +51,7 @@ export class SimulationView {
     this.element = h('div', { class: 'simulation-view', onkeydown: (event: KeyboardEvent) => this.key(event) },
       h('div', { class: 'bar toolbar', role: 'toolbar', 'aria-label': 'Simulation' }, this.undoing, this.again, this.returning, h('span', { class: 'push' }),
         this.saving, button({ icon: 'open', text: 'Open a run', title: 'Replay a run that was saved', onclick: () => events.openFile() })),
-      this.notice, body);
+      body, foot(this.notice));
   }
 
   setProgram(program: Program): void {

@@ -8,11 +8,14 @@ export function splitter(direction: 'vertical' | 'horizontal', behind: HTMLEleme
   const property = vertical ? 'width' : 'height';
   const size = (): number => behind.getBoundingClientRect()[property];
   const line = h('div', {
-    class: `splitter ${direction}`, role: 'separator', tabindex: 0, 'aria-orientation': direction, 'aria-label': `Size of the ${name}`,
+    class: `splitter ${direction}`, role: 'separator', tabindex: 0, 'aria-orientation': direction, 'aria-label': `Size of the ${name}`, 'aria-valuenow': 0,
+    onfocus: () => tellSize(),
   });
+  const tellSize = (): void => line.setAttribute('aria-valuenow', String(Math.round(size())));
   const set = (pixels: number): void => {
     const all = behind.parentElement!.getBoundingClientRect()[property];
     behind.style.flexBasis = `${Math.round(Math.min(Math.max(pixels, least), all - least))}px`;
+    tellSize();
   };
   let from: { at: number; size: number } | null = null;
   line.addEventListener('pointerdown', (event) => {

@@ -119,6 +119,11 @@ export class StepList {
     this.drawNow();
   }
 
+  /** Scrolls what is around the list, where it hides the current step. */
+  bringIntoView(): void {
+    this.space.querySelector('.step.current')?.scrollIntoView({ block: 'nearest' });
+  }
+
   private arrange(): void {
     const { trace, steps, grouped, compared } = this.shown!;
     this.rows = [];

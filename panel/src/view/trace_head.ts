@@ -14,8 +14,8 @@ export class TraceHead {
     const time = trace.part ? '' : `, ${end ? decimal(end) : '0'} s`; // the description of a part has its times
     this.line.replaceChildren(h('span', { class: `badge ${trace.verdict}` }, trace.verdict || 'trace'),
       h('h2', { title: trace.name }, prose(trace.description)),
-      h('span', { class: 'faint', title: end ? `It ends at ${end.exact} s` : '' }, plural(trace.steps.length, 'step'), time),
-      h('span', { class: 'stale-mark', title: 'The text has changed since: places may have moved' }, 'for an older text'), this.renewed);
+      h('span', { class: 'extent' }, h('span', { class: 'faint', title: end ? `It ends at ${end.exact} s` : '' }, plural(trace.steps.length, 'step'), time),
+        h('span', { class: 'stale-mark', title: 'The text has changed since: places may have moved' }, 'for an older text')), this.renewed);
     this.say('');
     this.summary.replaceChildren(prose(trace.summary ?? ''));
     this.summary.hidden = !trace.summary;
@@ -24,5 +24,6 @@ export class TraceHead {
   /** A notice about a trace that replaced another one. */
   say(words: string): void {
     this.renewed.textContent = words;
+    this.renewed.title = words;
   }
 }
