@@ -14,8 +14,10 @@ export class Editor {
     this.taken = 0;
   }
 
-  async open(url, folder) {
-    await this.page.goto(`${url}/?folder=${folder}`, { waitUntil: 'domcontentloaded', timeout: 60_000 });
+  /** Opens a folder, or the folders that a `.code-workspace` names. */
+  async open(url, path) {
+    const kind = path.endsWith('.code-workspace') ? 'workspace' : 'folder';
+    await this.page.goto(`${url}/?${kind}=${encodeURIComponent(path)}`, { waitUntil: 'domcontentloaded', timeout: 60_000 });
     await this.page.waitForSelector('.monaco-workbench .statusbar-item', { timeout: 60_000 });
   }
 

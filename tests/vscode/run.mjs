@@ -94,6 +94,21 @@ async function newPage(browser) {
   return page;
 }
 
+/** Uses another window of the same server. */
+async function withWindow(server, browser, path, use) {
+  const page = await newPage(browser);
+  const editor = new Editor(page, pictures);
+  try {
+    await editor.open(server.url, path);
+    return await use({ editor, page });
+  } catch (error) {
+    await editor.picture('window.failed');
+    throw error;
+  } finally {
+    await page.close();
+  }
+}
+
 /** Uses an editor without the extension, on the same folder: what takes time there is not ours. */
 async function withPlainEditor(folder, browser, root, use) {
   const server = await CodeServer.plain(folder);
@@ -131,7 +146,8 @@ async function main() {
     const editor = process.env.VERBOSE ? slowPrinted(new Editor(page, pictures)) : new Editor(page, pictures);
     await editor.open(server.url, root);
     const plain = (use) => withPlainEditor(folder, browser, root, use);
-    const failures = await play({ editor, page, server, root, proskill: resolve(proskill), tree, out: resolve(out), plain });
+    const window = (path, use) => withWindow(server, browser, path, use);
+    const failures = await play({ window, editor, page, server, root, proskill: resolve(proskill), tree, out: resolve(out), plain });
     console.log(`${((Date.now() - began) / 1000).toFixed(0)} s in all; pictures in ${pictures}`);
     return failures.length ? 1 : 0;
   } finally {

@@ -157,7 +157,7 @@ export class PanelHost implements vscode.Disposable {
       case 'part': return this.part(params);
       case 'picture': return this.picture(params);
       case 'simulate': return this.client.running.sendRequest(protocol.simulate, { textDocument: { uri: this.uri.toString() }, ...(params as panel.ChosenRun) });
-      case 'save': return save(params);
+      case 'save': return save(params, this.uri);
       case 'open': return vscode.commands.executeCommand('proskill.openTraceFile');
       case 'verify': return vscode.commands.executeCommand('proskill.verify', this.uri.toString());
       default: throw new Error(`VS Code has no ${String(method)}`);

@@ -38,12 +38,40 @@ async function timed(figures, name, action, shown) {
   figures.push(`${name} ${Date.now() - begin} ms`);
 }
 
+/** Runs a command of the palette without the mouse. */
+async function byKeys(editor, title) {
+  await editor.press('F1');
+  await editor.quickInput().locator('input.input').fill(`>${title}`);
+  await editor.quickInput().locator(`.monaco-list-row.focused[aria-label^="${title}"]`).waitFor();
+  await editor.press('Enter');
+}
+
+/** What has the keyboard in the panel, and whether it shows that. */
+const focused = (frame) => frame.evaluate(() => {
+  const part = document.activeElement;
+  const { outlineStyle } = getComputedStyle(part);
+  return { name: part.getAttribute('aria-label') ?? part.textContent, isMarked: outlineStyle !== 'none' || part.matches('.search, .watch') };
+});
+
+/** Tab leads through the panel from its list of steps: every part has a name and shows that it has the keyboard. */
+async function walk(editor, frame) {
+  const names = [];
+  for (const key of ['Shift+Tab', 'Tab', 'Tab', 'Tab', 'Tab']) {
+    await editor.press(key);
+    const { name, isMarked } = await focused(frame);
+    equal(`${name || `what follows ${names.at(-1)}`} has a name, and is marked`, [Boolean(name), isMarked], [true, true]);
+    names.push(name);
+  }
+  for (let i = 0; i < 3; ++i) await editor.press('Shift+Tab');
+  equal('the list of steps', (await focused(frame)).name, 'Steps of the trace');
+}
+
 export const scenarios = {
-  /** An empty file, a first program, a counterexample, its repair. */
+  /** An empty file, a first program, a counterexample, its repair; without the mouse. */
   async first_minutes({ editor, page }) {
     await editor.closeAll();
     const begin = Date.now();
-    await editor.command('ProSkill: New Program');
+    await byKeys(editor, 'ProSkill: New Program');
     await page.locator('.tab.active').filter({ hasText: 'Untitled' }).waitFor();
     for (const line of kFirst) {
       await page.keyboard.type(line, { delay: kDelay });
@@ -51,13 +79,20 @@ export const scenarios = {
     }
     await editor.statusSays(/\d+ bad/, 90_000);
     const found = Date.now();
-    await lens(page, /^✗ 1 bad/).click();
+    await lens(page, /^✗ 1 bad/).waitFor();
+    await byKeys(editor, 'ProSkill: Open Trace');
+    await editor.answer('drives_shut');
     const frame = await editor.panel('.trace-view');
     await frame.locator('.badge.violated').waitFor();
-    await frame.locator('.step.current').first().waitFor();
+    await frame.locator('#step-0.current').waitFor();
+    await expect('the keyboard in the list of steps', async () => (await focused(frame)).name === 'Steps of the trace');
+    await walk(editor, frame);
+    await editor.press('ArrowDown', 'ArrowDown');
+    await frame.locator('#step-2.current').waitFor();
     await editor.picture('first-violated');
+    await editor.press('Enter'); // the keyboard goes to the text of the step
+    await expect('the caret at the step', async () => (await editor.caret()).startsWith('Ln 2,') && page.evaluate(() => !!document.activeElement?.closest('.monaco-editor[data-uri^="untitled:"]')));
     // the door is closed before the robot drives
-    await editor.press('Control+1');
     const mission = kFirst.find((it) => it.startsWith('(defskill mission'));
     equal('the fix', mission.replace(kFixBefore, kFix + kFixBefore), words(programOn('fix').join('\n')).replace(/\( /g, '('));
     await editor.press('Control+End', 'Control+f');

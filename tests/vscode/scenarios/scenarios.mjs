@@ -3,6 +3,7 @@ import { scenarios as automaton } from './automaton.mjs';
 import { scenarios as debugging } from './debugger.mjs';
 import { scenarios as editing } from './editing.mjs';
 import { scenarios as first } from './first.mjs';
+import { scenarios as folders } from './folders.mjs';
 import { scenarios as imports } from './imports.mjs';
 import { scenarios as large } from './large.mjs';
 import { scenarios as lenses } from './lenses.mjs';
@@ -19,5 +20,5 @@ import { scenarios as verification } from './verification.mjs';
 import { scenarios as walkthrough } from './walkthrough.mjs';
 
 export const scenarios = {
-  ...trust, ...editing, ...automaton, ...picture, ...verification, ...testing, ...traces, ...opening, ...lenses, ...typing, ...imports, ...large, ...simulation, ...mission, ...secondDay, ...first, ...debugging, ...walkthrough,
+  ...trust, ...editing, ...automaton, ...picture, ...verification, ...testing, ...traces, ...opening, ...lenses, ...typing, ...imports, ...large, ...simulation, ...mission, ...secondDay, ...folders, ...first, ...debugging, ...walkthrough,
 };

@@ -61,7 +61,7 @@ export class RunPanel implements vscode.Disposable {
   }
 
   private async answer(method: panel.Method, params: unknown): Promise<unknown> {
-    if (method === 'save') return save(params as never);
+    if (method === 'save') return save(params as never, vscode.Uri.file(this.cwd));
     const result = this.placed(await this.run.call(method, params));
     if (method !== 'hello') return result;
     const hello = result as panel.Hello;

@@ -55,6 +55,7 @@ export class Testing implements vscode.Disposable {
       }),
       programs.onChange((program) => this.news(program)),
       disk.onChange(() => this.soon(kRefreshEdited)),
+      vscode.workspace.onDidChangeWorkspaceFolders(() => this.soon()),
       vscode.workspace.onDidOpenTextDocument((document) => {
         // the server receives the text at the same time, and soon reports verdicts for it
         if (document.languageId === 'proskill') this.soon();

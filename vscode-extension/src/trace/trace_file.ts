@@ -60,10 +60,11 @@ async function choose(traces: panel.Trace[]): Promise<panel.Trace | undefined> {
   return (await vscode.window.showQuickPick(entries, { placeHolder: 'The trace of which property?', matchOnDetail: true }))?.trace;
 }
 
-/** Paths are relative to the directory of the verification: probably the workspace, otherwise that of the file. */
+/** Paths are relative to the directory of the verification: probably the workspace folder of the file, else another one, or the directory of the file. */
 function uriOf(place: string, file: vscode.Uri): vscode.Uri {
   if (/^[a-z][a-z0-9+.-]+:/i.test(place)) return vscode.Uri.parse(place);
-  const folders = [...(vscode.workspace.workspaceFolders ?? []).map(({ uri }) => uri.fsPath), dirname(file.fsPath)];
+  const own = vscode.workspace.getWorkspaceFolder(file);
+  const folders = [...(own ? [own] : []), ...(vscode.workspace.workspaceFolders ?? [])].map(({ uri }) => uri.fsPath).concat(dirname(file.fsPath));
   const found = folders.map((folder) => resolve(folder, place)).find(existsSync);
   return vscode.Uri.file(found ?? resolve(folders[0]!, place));
 }
