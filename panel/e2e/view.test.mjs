@@ -57,6 +57,17 @@ describe('the lift, in which two skills want the doors', () => {
     assert.match(await doors.textContent(), /doorsOpen$/);
   });
 
+  test('a folded group opens when a key goes to one of its steps', async () => {
+    await it.locator('.steps').focus();
+    await it.keyboard.press('End');
+    await it.locator('.row.head').last().click();
+    await it.locator('.step.current').waitFor({ state: 'detached' });
+    await it.locator('.steps').focus();
+    await it.keyboard.press('ArrowUp');
+    await it.keyboard.press('ArrowDown');
+    assert.equal(await it.locator('.step.current .number').textContent(), String(property.trace.steps.length));
+  });
+
   test('a variable is pinned to the top', async () => {
     await it.locator('.values tr', { hasText: 'cabin' }).hover();
     await it.getByRole('button', { name: 'Pin cabin to the top' }).click();

@@ -276,7 +276,6 @@ class App {
   private async choose(verdict: Verdict, focus: boolean, keyboard = document.activeElement): Promise<void> {
     if (verdict.steps !== null) {
       const isShown = await this.fetchTrace(verdict.name);
-      if (isShown) this.trace.bringIntoView();
       if (isShown && focus && (document.activeElement === keyboard || document.activeElement === document.body)) this.focusTrace();
     } else {
       this.say(verdict.reason || `${verdict.verdict}: there is no trace for this verdict`);

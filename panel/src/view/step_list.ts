@@ -111,6 +111,7 @@ export class StepList {
   /** Makes a step current and scrolls to it. */
   select(index: number): void {
     this.current = index;
+    this.unfold(index);
     const row = this.rowOf.get(index);
     if (row !== undefined) {
       const top = this.layout.reveal(row, this.element.scrollTop, this.element.clientHeight, 48);
@@ -119,7 +120,7 @@ export class StepList {
     this.drawNow();
   }
 
-  /** Scrolls what is around the list, where it hides the current step. */
+  /** Scrolls what is around the list, where that hides the current step. */
   bringIntoView(): void {
     this.space.querySelector('.step.current')?.scrollIntoView({ block: 'nearest' });
   }
@@ -198,6 +199,13 @@ export class StepList {
     isFolded && h('span', { class: 'faint push' }, `${row.count} hidden`));
   }
 
+  /** A step in a folded group would not be visible. */
+  private unfold(index: number): void {
+    if (!this.shown || this.rowOf.has(index)) return;
+    const group = groups(this.shown.trace, this.shown.steps).find(({ steps }) => steps.includes(index));
+    if (group && this.folded.delete(group.steps[0]!)) this.arrange();
+  }
+
   private fold(group: number): void {
     if (!this.folded.delete(group)) this.folded.add(group);
     this.arrange();
@@ -259,7 +267,7 @@ export class StepList {
 
   private choose(index: number): void {
     this.element.focus({ preventScroll: true });
-    this.events.select(index);
+    this.go(index);
   }
 
   private key(event: KeyboardEvent): void {
@@ -281,7 +289,12 @@ export class StepList {
     const after = steps.findIndex((index) => index >= this.current);
     const at = after < 0 ? steps.length : after;
     const from = steps[at] === this.current || by < 0 ? at : at - 1;
-    this.events.select(steps[Math.min(Math.max(from + by, 0), steps.length - 1)]!);
+    this.go(steps[Math.min(Math.max(from + by, 0), steps.length - 1)]!);
+  }
+
+  private go(index: number): void {
+    this.events.select(index);
+    this.bringIntoView();
   }
 }
 

@@ -65,7 +65,7 @@ export class TraceView {
   current = -1;
 
   constructor(private readonly host: Host, private readonly saver: Saver, private readonly events: TraceEvents, private readonly colours: ActorColours, ids = 'step') {
-    this.list = new StepList({ select: (index) => { this.goTo(index); this.bringIntoView(); }, enter: (index) => this.reveal(index, true) }, ids, colours);
+    this.list = new StepList({ select: (index) => this.goTo(index), enter: (index) => this.reveal(index, true) }, ids, colours);
     this.values = new ValuesView({
       pinned: (names) => events.pinned(names), filter: (name) => this.toggleVariable(name),
       watch: (text) => this.watch(text), unwatch: (text) => this.setWatches(this.watchTexts.filter((it) => it !== text)),
@@ -166,6 +166,7 @@ export class TraceView {
     this.list.select(this.current);
     this.head.say('');
     this.moveTo(this.current, byUser);
+    if (byUser) this.list.bringIntoView();
   }
 
   /** Shows another part of the recording, at a time; by default at its end. Filter and search stay. */
@@ -259,11 +260,6 @@ export class TraceView {
 
   focus(): void {
     this.list.element.focus({ preventScroll: true });
-  }
-
-  /** In a small window the list may be scrolled away. */
-  bringIntoView(): void {
-    this.list.bringIntoView();
   }
 
   markStale(stale: boolean): void {
