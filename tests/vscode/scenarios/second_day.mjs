@@ -99,14 +99,16 @@ async function expectMarked(editor, frame) {
 }
 
 export const scenarios = {
-  /** A definition is half-written: the tree stays open, and marks stay beside their definitions. */
+  /** A definition is half-written: the tree stays open, and marks stay beside their definitions, and so do hints. */
   async half_written(world) {
     const { editor, page } = world;
     await begin(world);
     await expand(page, 'survey.proskill (');
     const rows = page.locator('.test-explorer .monaco-list-row');
     await row(page, `${kProperty} (`).first().waitFor();
-    const [before, marks] = [await rows.count(), await marked(page, kMain)];
+    const mission = page.locator(`.monaco-editor[data-uri$="${kMain}"] .view-line`, { hasText: '(defskill survey' });
+    await mission.filter({ hasText: / s$/ }).waitFor(); // how long it takes, as a hint
+    const [before, marks, hinted] = [await rows.count(), await marked(page, kMain), await mission.textContent()];
     equal('a mark at the mission', marks.includes(kLine), true);
     await editor.press('Control+1');
     await editor.goTo(2);
@@ -114,6 +116,7 @@ export const scenarios = {
     await editor.press('Enter');
     await page.locator('.test-explorer', { hasText: 'the program has errors' }).waitFor();
     equal('rows, and one for the error', await rows.count(), before + 1);
+    equal('the line with its hint', await mission.textContent(), hinted);
     await expect('marks that moved with their lines', async () =>
       JSON.stringify(await marked(page, kMain)) === JSON.stringify(marks.map((line) => line + 1)));
     await editor.picture('half_written-error');
