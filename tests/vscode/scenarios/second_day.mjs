@@ -107,7 +107,7 @@ export const scenarios = {
     const rows = page.locator('.test-explorer .monaco-list-row');
     await row(page, `${kProperty} (`).first().waitFor();
     const mission = page.locator(`.monaco-editor[data-uri$="${kMain}"] .view-line`, { hasText: '(defskill survey' });
-    await mission.filter({ hasText: / s$/ }).waitFor(); // how long it takes, as a hint
+    await mission.filter({ hasText: /\d\ss\s*$/ }).waitFor({ timeout: 20_000 }); // how long it takes, as a hint
     const [before, marks, hinted] = [await rows.count(), await marked(page, kMain), await mission.textContent()];
     equal('a mark at the mission', marks.includes(kLine), true);
     await editor.press('Control+1');
