@@ -83,7 +83,7 @@ Tally compareAll(Asked asked, std::uint64_t programs, std::size_t stride) {
 } // namespace
 
 TEST_CASE("engine and oracle agree on every check of random programs, whatever is reduced") {
-  Tally tally = compareAll(defaultChecks, kPrograms, 3);
+  Tally tally = compareAll(defaultChecks, kPrograms, 5);
   WARN(tally.compared << " programs compared, " << tally.tooLarge << " too large, " << tally.nodes
                       << " regions, " << tally.answers << " answers, " << tally.decided
                       << " questions decided");

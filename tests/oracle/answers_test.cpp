@@ -29,7 +29,7 @@ void askAll(std::uint64_t seed, const test::ProgramSize& size, Questions& tally)
   std::vector<verify::Question> questions;
   for (const auto& check : model->checks) questions.push_back({check.property});
   verify::Options options;
-  options.limits.classes = 10'000;
+  options.limits.classes = 4'000;
   const auto result = verify::verify(model->fiacre, model->provenance, questions, options);
   REQUIRE(result.has_value());
   ++tally.programs;
