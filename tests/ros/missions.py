@@ -40,13 +40,17 @@ class Missions:
 
     def stop_when(self, line):
         """Has the skill interrupted when the server has seen this."""
-        until(lambda: line in self.log(), line)
+        self.sees(line)
         self.tell(0.1)
 
     def ends(self, *texts, code=0):
         self.assertEqual(self.finish(), code, f"{self.errors}\n{self.said}\n{self.log()}")
         for text in texts:
             self.assertTrue([said for said in self.said if text in said], f"{text}: {self.said}")
+
+    def sees(self, line):
+        """The server may hear of the last messages after the run has ended."""
+        until(lambda: line in self.log(), line)
 
     def no_faults(self):
         self.assertFalse([text for text in self.said if "fault" in text])

@@ -43,7 +43,7 @@ class Goals(Case):
         self.mission(" ".join(FLY.format(kind) for kind in (how.SUCCEED, how.ABORT, how.REJECT, how.TWICE)) + OTHERS)
         self.begin()
         self.ends("succeeds with `there`", "fails with `lost`", "fails with `refused`", "succeeds with `armed`")
-        self.assertIn("said hello", self.log())
+        self.sees("said hello")
         self.no_faults()
 
     def test_a_goal_is_cancelled_and_its_feedback_does_not_count(self):
@@ -53,14 +53,14 @@ class Goals(Case):
                 self.fly(kind, STOP_AFTER)
                 self.stop_when(f"goal {kind}")
                 self.ends("asks its action to stop")
-                self.assertIn(f"ended {kind}", self.log())
+                self.sees(f"ended {kind}")
                 self.no_faults()
 
     def test_a_cancel_that_overtakes_its_goal_leaves_nothing_running(self):
         self.fly(how.LATE_GOAL, STOP_AFTER)
         self.stop_when("seen")
         self.ends("asks its action to stop")
-        self.assertIn("cancelled", self.log())
+        self.sees("cancelled")
         self.assertNotIn(f"goal {how.LATE_GOAL}", self.log())
         self.no_faults()
 
@@ -146,7 +146,7 @@ class Master(Case):
         end(self.master)
         self.stop_when(f"goal {how.WAIT}")
         self.ends("asks its action to stop")
-        self.assertIn(f"ended {how.WAIT}", self.log())
+        self.sees(f"ended {how.WAIT}")
 
 
 if __name__ == "__main__":

@@ -47,7 +47,7 @@ class Goals(Case):
         self.mission(" ".join(FLY.format(kind) for kind in (how.SUCCEED, how.ABORT, how.REJECT, how.TWICE)) + OTHERS)
         self.begin()
         self.ends("succeeds with `there`", "fails with `lost`", "fails with `refused`", "succeeds with `armed`")
-        self.assertIn("said hello", self.log())
+        self.sees("said hello")
         self.no_faults()
 
     def test_a_goal_is_cancelled_and_its_feedback_does_not_count(self):
@@ -57,7 +57,7 @@ class Goals(Case):
                 self.fly(kind, STOP_AFTER)
                 self.stop_when(f"accepted {kind}")
                 self.ends("asks its action to stop")
-                self.assertIn(f"ended {kind}", self.log())
+                self.sees(f"ended {kind}")
                 self.no_faults()
 
     def test_an_interrupt_between_sent_and_accepted_leaves_nothing_running(self):
@@ -66,7 +66,7 @@ class Goals(Case):
         self.until_it_says("asks its action to stop")
         self.tell("decide")
         self.ends()
-        self.assertIn(f"ended {how.LATE_ACCEPT}", self.log())
+        self.sees(f"ended {how.LATE_ACCEPT}")
         self.assertNotIn(f"unknown {how.LATE_ACCEPT}", self.log())  # no cancel before
         self.no_faults()
 
@@ -126,7 +126,7 @@ class Goals(Case):
         until(lambda: f"accepted {how.WAIT}" in self.log(), "the goal")
         os.kill(self.adapter(), signal.SIGKILL)
         self.ends("its action has ended with the ROS adapter", "succeeds with `there`", code=1)
-        self.assertIn(f"ended {how.WAIT}", self.log())
+        self.sees(f"ended {how.WAIT}")
         self.assertLess(self.log().index(f"ended {how.WAIT}"), self.log().index(f"goal {how.SUCCEED}"))
 
     def test_a_goal_of_a_run_that_was_killed_is_cancelled_by_the_next(self):
