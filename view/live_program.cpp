@@ -37,13 +37,15 @@ fs::file_time_type stampOf(const fs::path& path) {
   return error ? fs::file_time_type::min() : time;
 }
 
+/// Its path is short, since little of the message can be seen in a small window.
 std::string firstError(const analysis::Program& program,
                        const std::vector<syntax::Diagnostic>& diagnostics) {
   for (const auto& found : diagnostics) {
     if (found.severity != syntax::Severity::Error) continue;
-    report::SourcePlaces places(program);
-    return fmt::format("{}:{}: {}", places.path(found.location.file),
-                       places.begin(found.location).line, found.message);
+    const auto folder = program.files.front().path.parent_path();
+    const auto path = program.files[found.location.file].path.lexically_relative(folder);
+    return fmt::format("{}:{}: {}", path.generic_string(),
+                       report::SourcePlaces(program).begin(found.location).line, found.message);
   }
   return "";
 }

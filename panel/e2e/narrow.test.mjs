@@ -227,10 +227,15 @@ test('all that takes the keyboard has a name, and shows that it has it', () => r
 
 test('paper is light, whatever the screen is', () => rover({ width: 1000, height: 500 }, async (it) => {
   await it.emulateMedia({ colorScheme: 'dark' });
+  await it.locator('#tab-automaton').click();
+  await choosePicture(it, { index: 1 });
   const ground = () => it.evaluate(() => getComputedStyle(document.body).backgroundColor);
   await eventually(async () => assert.notEqual(await ground(), 'rgb(255, 255, 255)'));
   await it.emulateMedia({ colorScheme: 'dark', media: 'print' });
   assert.equal(await ground(), 'rgb(255, 255, 255)');
+  const filters = await it.locator('.stage g.node, .stage .dots').evaluateAll((all) => all.map((part) => [part.matches('.dots'), getComputedStyle(part).filter]));
+  assert.ok(filters.length > 3);
+  for (const [isDots, filter] of filters) assert.equal(filter.startsWith('invert(1)'), !isDots, 'the dark picture is turned, the dots of the actors are not');
 }));
 
 test('on paper all steps are there, one below the other', () => rover({ width: 1000, height: 500 }, async (it) => {
