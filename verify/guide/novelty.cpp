@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::int64_t kMostOfNumber = 256;  ///< values of a cell that is not a location
 constexpr std::size_t kMostInPairs = 32'768; ///< values of all cells: half a byte for each pair
-constexpr unsigned kRarestLevels = 15;
+constexpr unsigned kMostLevel = 15;          ///< of how often a pair was seen
 
 Bits locationsOf(const System& system) {
   Bits cells;
@@ -62,10 +62,13 @@ Novelty::Degree Novelty::seeValue(const Word* state, std::uint32_t group) {
 Novelty::Degree Novelty::seePair(const Word* state) {
   auto degree = seeValue(state, UINT32_MAX);
   if (pairs.empty()) return degree;
+  const auto isChanged = [&](std::size_t i) { return before.empty() || values[i] != before[i]; };
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!before.empty() && values[i] == before[i]) continue;
-    for (std::size_t k = 0; k < values.size(); ++k)
-      degree = std::min(degree, see(values[i], values[k]));
+    if (!isChanged(i)) continue;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      const bool isSeen = k <= i && isChanged(k); // or no pair
+      if (!isSeen) degree = std::min(degree, see(values[i], values[k]));
+    }
   }
   return degree;
 }
@@ -79,7 +82,7 @@ Novelty::Degree Novelty::see(std::uint32_t one, std::uint32_t other) {
   std::uint8_t& both = row[less / 2];
   const unsigned shift = less % 2 * 4;
   const unsigned level = both >> shift & 15U;
-  if (level < kRarestLevels && random() % (1U << level) == 0)
+  if (level < kMostLevel && (random() & ((1U << level) - 1)) == 0)
     both = static_cast<std::uint8_t>(both + (1U << shift));
   return static_cast<Degree>(Pair + level);
 }
