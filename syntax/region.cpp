@@ -9,6 +9,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
+#include <mutex>
+#include <system_error>
 #include <thread>
 
 namespace proskill::syntax {
@@ -70,6 +73,31 @@ std::vector<ReadForm> compactForms(Builder& builder, ParsedText& parsed) {
   return std::vector<ReadForm>(grown);
 }
 
+/// Calls `work` in so many threads, the calling one among them, or in as many as the system has.
+/// \throw what it has thrown in one of them
+template <class Work> void inThreads(std::size_t count, const Work& work) {
+  std::mutex guard;
+  std::exception_ptr failure;
+  const auto attempt = [&] {
+    try {
+      work();
+    } catch (...) {
+      const std::lock_guard lock(guard);
+      failure = std::current_exception();
+    }
+  };
+  {
+    std::vector<std::jthread> helpers;
+    try {
+      while (helpers.size() + 1 < count) helpers.emplace_back(attempt);
+    } catch (const std::system_error&) {
+      // no thread is left: the others do its part
+    }
+    attempt();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
 } // namespace
 
 ParsedRegion readRegion(Parser& parser, std::string_view text) {
@@ -122,17 +150,13 @@ std::vector<ParsedRegion> readRegions(const std::vector<std::string_view>& texts
   for (auto text : texts) bytes += text.size();
   std::vector<ParsedRegion> regions(texts.size());
   std::atomic<std::size_t> next = 0;
-  auto work = [&] {
+  static const std::size_t cores =
+      std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 8);
+  inThreads(1 + std::min(cores - 1, bytes / kWorthAThread), [&] {
     Parser parser;
     for (std::size_t i = next++; i < texts.size(); i = next++)
       regions[i] = readRegion(parser, texts[i]);
-  };
-  static const std::size_t cores =
-      std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 8);
-  std::vector<std::jthread> helpers(std::min(cores - 1, bytes / kWorthAThread));
-  for (std::jthread& helper : helpers) helper = std::jthread(work);
-  work();
-  helpers.clear(); // joins them
+  });
   return regions;
 }
 

@@ -99,7 +99,7 @@ private:
 Workers::Workers(const System& system, const OpenGoals& goals, const Reductions& reductions,
                  ZoneGraph& to, const LimitWatch& limits, unsigned jobs)
     : graph(to), team(jobs) {
-  for (unsigned i = 0; i < jobs; ++i)
+  while (all.size() < team.size())
     all.push_back(std::make_unique<Worker>(system, goals, reductions, to, limits));
 }
 

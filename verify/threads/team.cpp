@@ -1,5 +1,6 @@
 #include "verify/threads/team.h"
 
+#include <system_error>
 #include <utility>
 
 namespace proskill::verify {
@@ -21,8 +22,12 @@ template <class Number> void awaitChange(const std::atomic<Number>& value, Numbe
 } // namespace
 
 Team::Team(std::size_t members) {
-  for (std::size_t i = 1; i < members; ++i)
-    threads.emplace_back([this, i](const std::stop_token& stop) { serve(i, stop); });
+  try {
+    for (std::size_t i = 1; i < members; ++i)
+      threads.emplace_back([this, i](const std::stop_token& stop) { serve(i, stop); });
+  } catch (const std::system_error&) {
+    // the system has no thread left: the others do its part
+  }
 }
 
 Team::~Team() {

@@ -17,7 +17,8 @@ class Team {
 public:
   using Task = std::function<void(std::size_t)>; ///< receives the number of the thread
 
-  /// \param members number of threads, with the calling one: at least 1
+  /// \param members number of threads, with the calling one: at least 1; fewer if the system has no
+  /// more
   explicit Team(std::size_t members);
   Team(const Team&) = delete;
   Team& operator=(const Team&) = delete;
