@@ -22,7 +22,8 @@ constexpr std::chrono::milliseconds kLastMoment{200};
 constexpr std::chrono::seconds kPatience{10};
 
 /// One request and its response; then the connection is closed. Reading and writing is
-/// asynchronous, on the thread of its context; the handler runs on a worker.
+/// asynchronous, on the thread of its context; the handler runs on a worker. The timer holds the
+/// connection too, so it is cancelled when the client has left.
 class Exchange : public std::enable_shared_from_this<Exchange> {
 public:
   Exchange(tcp::socket connection, asio::thread_pool& pool, const HttpServer::Handler& answer)
@@ -37,7 +38,9 @@ public:
                            [self = shared_from_this()](asio::error_code error, std::size_t length) {
                              if (error == asio::error::not_found)
                                self->refuse(413, "the request is too large");
-                             else if (!error)
+                             else if (error)
+                               self->patience.cancel();
+                             else
                                self->takeHead(length);
                            });
   }
@@ -61,12 +64,12 @@ private:
     asio::async_read(
         socket, asio::dynamic_buffer(bytes), asio::transfer_exactly(missing),
         [self = shared_from_this(), size = *size](asio::error_code error, std::size_t) {
+          self->patience.cancel();
           if (!error) self->takeBody(size);
         });
   }
 
   void takeBody(std::size_t size) {
-    patience.cancel();
     request.body = bytes.substr(0, size);
     asio::post(workers, [self = shared_from_this()] {
       self->handler(self->request, [self](HttpResponse response) {

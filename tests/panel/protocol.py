@@ -236,6 +236,21 @@ class Load(unittest.TestCase):
         self.assertEqual(limited.ask(limited.path)[0], 200)
         self.assertEqual(limited.end()[0], 0)
 
+    def test_whoever_leaves_without_a_request_gives_the_descriptor_back(self):
+        descriptors = pathlib.Path(f"/proc/{self.view.process.pid}/fd")
+        before = len(os.listdir(descriptors))
+        held = [socket.create_connection(("127.0.0.1", self.view.port), timeout=30) for _ in range(20)]
+        while len(os.listdir(descriptors)) < before + 20:
+            time.sleep(0.01)
+        held[0].sendall(b"GET / HTTP/1.1\r\nContent-Length: 9\r\n\r\nhal")
+        for connection in held:
+            connection.close()
+        for _ in range(200):  # the server needs no more than one round to notice
+            self.view.ask(self.view.path)
+            if len(os.listdir(descriptors)) <= before:
+                return
+        self.fail("connections that are closed keep their descriptors")
+
 
 def cpu_seconds(process):
     """Processor time of a process."""
