@@ -1,5 +1,6 @@
 #pragma once
 
+#include "verify/limits.h"
 #include "verify/model/dbm.h"
 #include "verify/model/monitor.h"
 #include "verify/state/timing.h"
