@@ -1,8 +1,9 @@
 #include "tina/outputs.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <charconv>
-#include <regex>
 
 namespace proskill::tina {
 
@@ -55,17 +56,100 @@ std::optional<std::string> withoutDate(std::string_view token) {
   return std::string(name);
 }
 
-/// Passes only the beginning of each line: searches match there, and must stay fast.
+/// Passes only the beginning of each line: what is looked for is there, and a line may be as long
+/// as an output.
 template <class Visit> void eachShortLine(std::string_view text, Visit visit) {
   constexpr std::size_t kMost = 300;
-  eachLine(text, [&](std::string_view line) { visit(std::string(line.substr(0, kMost))); });
+  eachLine(text, [&](std::string_view line) { visit(line.substr(0, kMost)); });
+}
+
+constexpr std::string_view kDigits = "0123456789";
+
+/// The length of the characters at the front that are among these.
+std::size_t lengthOf(std::string_view among, std::string_view text) {
+  return std::min(text.find_first_not_of(among), text.size());
 }
 
 /// A number; the maximum if it is too large.
-std::uint64_t count(const std::string& digits) {
+std::uint64_t count(std::string_view digits) {
   std::uint64_t value = 0;
   const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   return read.ec == std::errc{} ? value : UINT64_MAX;
+}
+
+/// The number at the front, and removes it.
+std::optional<std::uint64_t> takeNumber(std::string_view& text) {
+  const auto digits = text.substr(0, lengthOf(kDigits, text));
+  if (digits.empty()) return std::nullopt;
+  text.remove_prefix(digits.size());
+  return count(digits);
+}
+
+/// Removes blanks from the front; false if there are none.
+bool takeBlanks(std::string_view& text) {
+  const auto blanks = lengthOf(kBlank, text);
+  text.remove_prefix(blanks);
+  return blanks > 0;
+}
+
+bool takeComma(std::string_view& text) {
+  takeBlanks(text);
+  if (!text.starts_with(',')) return false;
+  text.remove_prefix(1);
+  takeBlanks(text);
+  return true;
+}
+
+/// The number of `12 classes(s)`, with any word that begins like the noun, and removes all of it.
+std::optional<std::uint64_t> takeCount(std::string_view& text, std::string_view noun) {
+  const auto number = takeNumber(text);
+  if (!number || !takeBlanks(text) || !text.starts_with(noun)) return std::nullopt;
+  text.remove_prefix(std::min(text.find_first_of(" \t\r,"), text.size()));
+  return number;
+}
+
+/// `1 classes(s), 2 marking(s), 3 domain(s), 4 transition(s)` at the front.
+std::optional<verify::Exploration> countsAtFront(std::string_view text) {
+  const auto next = [&](std::string_view noun) {
+    return takeComma(text) ? takeCount(text, noun) : std::nullopt;
+  };
+  const auto classes = takeCount(text, "class");
+  const auto markings = classes ? next("marking") : std::nullopt;
+  const auto domains = markings ? next("domain") : std::nullopt;
+  const auto transitions = domains ? next("transition") : std::nullopt;
+  if (!transitions) return std::nullopt;
+  return verify::Exploration{.classes = *classes,
+                             .markings = *markings,
+                             .domains = *domains,
+                             .transitions = *transitions,
+                             .complete = true};
+}
+
+/// The same anywhere in the line.
+std::optional<verify::Exploration> countsIn(std::string_view line) {
+  for (auto at = line.find_first_of(kDigits); at < line.size();
+       at = line.find_first_of(kDigits, at + lengthOf(kDigits, line.substr(at))))
+    if (auto counts = countsAtFront(line.substr(at))) return counts;
+  return std::nullopt;
+}
+
+/// The number after the first word of a line, if that is this one.
+std::optional<std::uint64_t> numberAfter(std::string_view first, std::string_view line) {
+  if (!line.starts_with(first)) return std::nullopt;
+  line.remove_prefix(first.size());
+  return takeBlanks(line) ? takeNumber(line) : std::nullopt;
+}
+
+bool isPartOfWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+/// Whether a text has these words, between others.
+bool hasWords(std::string_view text, std::string_view words) {
+  for (auto at = text.find(words); at != std::string_view::npos; at = text.find(words, at + 1)) {
+    const auto end = at + words.size();
+    const bool begins = at == 0 || !isPartOfWord(text[at - 1]);
+    if (begins && (end == text.size() || !isPartOfWord(text[end]))) return true;
+  }
+  return false;
 }
 
 } // namespace
@@ -90,36 +174,30 @@ LtlFile readLtl(std::string_view text) {
 }
 
 std::optional<verify::Exploration> readCounts(std::string_view output) {
-  static const std::regex kCounts(R"((\d+)\s+class\S*\s*,\s*(\d+)\s+marking\S*\s*,)"
-                                  R"(\s*(\d+)\s+domain\S*\s*,\s*(\d+)\s+transition)");
-  static const std::regex kDigest(R"(^(states|transitions)\s+(\d+))");
   std::optional<verify::Exploration> counts;
   std::optional<std::uint64_t> states;
-  eachShortLine(output, [&](const std::string& line) {
-    std::smatch match;
-    if (std::regex_search(line, match, kCounts)) {
-      counts = {.classes = count(match[1]),
-                .markings = count(match[2]),
-                .domains = count(match[3]),
-                .transitions = count(match[4]),
-                .complete = true};
-    } else if (std::regex_search(line, match, kDigest)) {
-      if (match[1] == "states")
-        states = count(match[2]);
-      else if (states && !counts)
-        counts = {.classes = *states, .transitions = count(match[2]), .complete = true};
-    }
+  eachShortLine(output, [&](std::string_view line) {
+    if (const auto here = countsIn(line))
+      counts = here;
+    else if (const auto number = numberAfter("states", line))
+      states = number;
+    else if (const auto transitions = numberAfter("transitions", line);
+             transitions && states && !counts)
+      counts = {.classes = *states, .transitions = *transitions, .complete = true};
   });
   return counts;
 }
 
 bool saysUnfinished(std::string_view output) {
-  static const std::regex kWords(
-      R"(\b(aborted|interrupted|incomplete|unbounded|exceeded|not completed)\b)",
-      std::regex::icase);
+  constexpr auto kWords = std::to_array<std::string_view>(
+      {"aborted", "interrupted", "incomplete", "unbounded", "exceeded", "not completed"});
   bool found = false;
-  eachShortLine(output,
-                [&](const std::string& line) { found = found || std::regex_search(line, kWords); });
+  eachShortLine(output, [&](std::string_view line) {
+    std::string lower(line);
+    for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    found = found || std::ranges::any_of(
+                         kWords, [&](std::string_view words) { return hasWords(lower, words); });
+  });
   return found;
 }
 
