@@ -12,13 +12,14 @@
 #include <span>
 
 namespace proskill::syntax {
-namespace {
 
 /// A region with its position in a document.
 struct PlacedRegion {
   Range range;
   std::shared_ptr<const ParsedRegion> content;
 };
+
+namespace {
 
 std::size_t countOfForms(std::span<const PlacedRegion> regions) {
   std::size_t count = 0;

@@ -9,7 +9,7 @@
 namespace proskill::fiacre {
 namespace {
 
-bool isAtom(const Observable& o) {
+bool isAtomic(const Observable& o) {
   return o.kind == ObservableKind::State || o.kind == ObservableKind::Value ||
          o.kind == ObservableKind::Tag || o.kind == ObservableKind::Event;
 }
@@ -20,7 +20,7 @@ std::string operand(const Observable& observable, const std::string& main) {
 
 /// A single atom needs no parentheses.
 std::string plain(const Observable& observable, const std::string& main) {
-  return isAtom(observable) ? printObservable(observable, main) : operand(observable, main);
+  return isAtomic(observable) ? printObservable(observable, main) : operand(observable, main);
 }
 
 std::string printAtom(const Observable& observable, const std::string& main) {

@@ -26,8 +26,8 @@ bool isLiteral(const syntax::Expr& expr) {
          expr.kind == ExprKind::True || expr.kind == ExprKind::False;
 }
 
-/// A mention of a variable of the flow in a condition.
-struct Mention {
+/// A variable of the flow in a condition.
+struct VariableMention {
   std::string name;
   syntax::Range at;
 };
@@ -119,7 +119,7 @@ private:
     return view.index().symbols()[occurrence->symbol].at;
   }
 
-  void collect(const syntax::Expr& expr, std::vector<Mention>& mentions) const {
+  void collect(const syntax::Expr& expr, std::vector<VariableMention>& mentions) const {
     const auto now = [this](syntax::Range then) { return flow->now({view.file, then}).range; };
     const bool isName = expr.kind == ExprKind::Test || expr.kind == ExprKind::Symbol;
     if (isName && isVariable(now(expr.name.range)))
@@ -130,7 +130,7 @@ private:
   }
 
   void ofCondition(const syntax::Expr& condition, const std::vector<flow::Point>& points) {
-    std::vector<Mention> mentions;
+    std::vector<VariableMention> mentions;
     collect(condition, mentions);
     for (const auto& mention : mentions) {
       const auto variable = flowVariable(view, *flow, mention.name);

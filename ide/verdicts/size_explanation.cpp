@@ -16,14 +16,14 @@ namespace {
 using syntax::Expr;
 
 constexpr std::string_view kWatchdog = "watchdog of ";
-constexpr std::size_t kMostNames = 3;
+constexpr std::size_t kMostListed = 3;
 
 /// "`a`, `b`, `c` and 4 more".
 std::string quoted(const std::vector<std::string>& names) {
   std::string text;
-  for (std::size_t i = 0; i < names.size() && i < kMostNames; ++i)
+  for (std::size_t i = 0; i < names.size() && i < kMostListed; ++i)
     text += fmt::format("{}`{}`", i == 0 ? "" : ", ", names[i]);
-  if (names.size() > kMostNames) text += fmt::format(" and {} more", names.size() - kMostNames);
+  if (names.size() > kMostListed) text += fmt::format(" and {} more", names.size() - kMostListed);
   return text;
 }
 

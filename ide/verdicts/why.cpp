@@ -28,7 +28,9 @@ std::string supportText(const std::vector<Support>& support) {
   return text;
 }
 
-bool isWord(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+bool isWordCharacter(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
 
 /// A sum with its variables replaced by their values.
 std::string withValues(const std::string& sum, const std::vector<Support>& support) {
@@ -36,7 +38,7 @@ std::string withValues(const std::string& sum, const std::vector<Support>& suppo
   for (std::size_t i = 0; i < sum.size();) {
     auto end = i;
     const auto joins = [&](char c) { return c == '-' || c == '.'; };
-    while (end < sum.size() && (isWord(sum[end]) || (end > i && joins(sum[end])))) ++end;
+    while (end < sum.size() && (isWordCharacter(sum[end]) || (end > i && joins(sum[end])))) ++end;
     const auto word = sum.substr(i, std::max(end, i + 1) - i);
     const auto found = std::ranges::find(support, word, &Support::variable);
     text += found == support.end() ? word : found->value;

@@ -13,6 +13,8 @@
 /// Handlers for Fiacre documents, which need only their text.
 namespace proskill::lsp {
 
+/// The names of the features' handlers for ProSkill.
+namespace of_fiacre {
 namespace {
 
 using fiacre::NameKind;
@@ -238,18 +240,19 @@ Handler forFiacre(std::string_view method) {
 }
 
 } // namespace
+} // namespace of_fiacre
 
 bool isDecidedForFiacre(std::string_view method) {
-  return !isOfDocument(method) || handlers().contains(method);
+  return !of_fiacre::isOfDocument(method) || of_fiacre::handlers().contains(method);
 }
 
 void addFiacre(Registry& registry) {
   for (auto& [name, method] : registry.methods) {
-    auto inFiacre = forFiacre(name);
+    auto inFiacre = of_fiacre::forFiacre(name);
     if (!inFiacre) continue;
     method.handler = [ofProgram = std::move(method.handler),
                       inFiacre = std::move(inFiacre)](const Request& request) {
-      return isInFiacre(request) ? inFiacre(request) : ofProgram(request);
+      return of_fiacre::isInFiacre(request) ? inFiacre(request) : ofProgram(request);
     };
   }
 }

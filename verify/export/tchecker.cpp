@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::uint64_t kMostLocations = 200'000;
 
-constexpr auto kHead =
+constexpr auto kPreamble =
     R"(# Made by `proskill emit tchecker`: a timed automaton with a location for each discrete state that can be reached
 # without regard to time, and a clock for each clock of the model. `tck-reach -a covreach -l LABEL FILE` asks whether a
 # location with the label can be reached, in time. A label stands for a violated property:
@@ -260,7 +260,7 @@ std::expected<Exported, Unsupported> exportTChecker(const fiacre::Program& progr
     else
       legend += fmt::format("#   {}: `{}`\n", automaton.labelNames()[i], names[i]);
   }
-  made.text = fmt::format(kHead, legend) + text;
+  made.text = fmt::format(kPreamble, legend) + text;
   return made;
 } catch (const CompileError& error) {
   return std::unexpected(error.why);

@@ -15,11 +15,11 @@ namespace {
 
 using FormulaId = std::uint32_t;
 
-enum class Op : std::uint8_t { Literal, And, Or, Next, Until, Release };
+enum class FormulaOp : std::uint8_t { Literal, And, Or, Next, Until, Release };
 
 /// A formula in negation normal form.
 struct Formula {
-  Op op = Op::Literal;
+  FormulaOp op = FormulaOp::Literal;
   std::uint32_t a = 0; ///< of a literal: its condition
   std::uint32_t b = 0;
   friend auto operator<=>(const Formula&, const Formula&) = default;
@@ -31,7 +31,7 @@ public:
   Formulas(Nodes& in, const std::function<NodeId(const fiacre::Observable&)>& of)
       : nodes(in), atom(of) {}
 
-  FormulaId literal(NodeId condition) { return make({Op::Literal, condition, 0}); }
+  FormulaId literal(NodeId condition) { return make({FormulaOp::Literal, condition, 0}); }
   FormulaId truth() { return literal(nodes.number(1)); }
   FormulaId untruth() { return literal(nodes.number(0)); }
 
@@ -44,20 +44,21 @@ public:
       return literal(negative ? nodes.negation(condition) : condition);
     }
     case LtlKind::Not: return of(0, !negative);
-    case LtlKind::Next: return make({Op::Next, of(0, negative), 0});
+    case LtlKind::Next: return make({FormulaOp::Next, of(0, negative), 0});
     case LtlKind::Globally:
-      return negative ? make({Op::Until, truth(), of(0, true)})
-                      : make({Op::Release, untruth(), of(0, false)});
+      return negative ? make({FormulaOp::Until, truth(), of(0, true)})
+                      : make({FormulaOp::Release, untruth(), of(0, false)});
     case LtlKind::Finally:
-      return negative ? make({Op::Release, untruth(), of(0, true)})
-                      : make({Op::Until, truth(), of(0, false)});
+      return negative ? make({FormulaOp::Release, untruth(), of(0, true)})
+                      : make({FormulaOp::Until, truth(), of(0, false)});
     case LtlKind::Until:
-      return make({negative ? Op::Release : Op::Until, of(0, negative), of(1, negative)});
+      return make(
+          {negative ? FormulaOp::Release : FormulaOp::Until, of(0, negative), of(1, negative)});
     case LtlKind::Implies:
-      return make({negative ? Op::And : Op::Or, of(0, !negative), of(1, negative)});
+      return make({negative ? FormulaOp::And : FormulaOp::Or, of(0, !negative), of(1, negative)});
     case LtlKind::And:
     case LtlKind::Or: {
-      const Op op = (ltl.kind == LtlKind::And) != negative ? Op::And : Op::Or;
+      const FormulaOp op = (ltl.kind == LtlKind::And) != negative ? FormulaOp::And : FormulaOp::Or;
       FormulaId all = of(0, negative);
       for (std::size_t i = 1; i < ltl.operands.size(); ++i) all = make({op, all, of(i, negative)});
       return all;
@@ -69,13 +70,13 @@ public:
   [[nodiscard]] const Formula& at(FormulaId id) const { return all[id]; }
   [[nodiscard]] std::size_t size() const { return all.size(); }
   [[nodiscard]] bool isFalse(FormulaId id) const {
-    return all[id].op == Op::Literal && nodes.constant(all[id].a) == 0;
+    return all[id].op == FormulaOp::Literal && nodes.constant(all[id].a) == 0;
   }
   /// The conjunction of all literals in a set.
   NodeId label(const std::set<FormulaId>& set) {
     NodeId every = nodes.number(1);
     for (auto id : set)
-      if (all[id].op == Op::Literal) every = nodes.both(every, all[id].a);
+      if (all[id].op == FormulaOp::Literal) every = nodes.both(every, all[id].a);
     return every;
   }
 
@@ -147,20 +148,20 @@ private:
       if (!draft.old.insert(id).second) continue;
       const Formula formula = formulas.at(id);
       switch (formula.op) {
-      case Op::Literal: break;
-      case Op::Next: draft.next.insert(formula.a); break;
-      case Op::And:
+      case FormulaOp::Literal: break;
+      case FormulaOp::Next: draft.next.insert(formula.a); break;
+      case FormulaOp::And:
         draft.todo.insert(formula.a);
         draft.todo.insert(formula.b);
         break;
-      case Op::Or: {
+      case FormulaOp::Or: {
         Draft other = draft;
         other.todo.insert(formula.a);
         expand(std::move(other), found);
         draft.todo.insert(formula.b);
         break;
       }
-      case Op::Until: { // b, or a and next the same
+      case FormulaOp::Until: { // b, or a and next the same
         Draft other = draft;
         other.todo.insert(formula.a);
         other.next.insert(id);
@@ -168,7 +169,7 @@ private:
         draft.todo.insert(formula.b);
         break;
       }
-      case Op::Release: { // b, and a or next the same
+      case FormulaOp::Release: { // b, and a or next the same
         Draft other = draft;
         other.todo.insert(formula.b);
         other.next.insert(id);
@@ -201,7 +202,7 @@ Monitor negated(const Ltl& ltl, Nodes& nodes,
   Tableau tableau(formulas, formulas.normal(ltl, true));
   std::vector<FormulaId> promises;
   for (FormulaId id = 0; id < formulas.size(); ++id)
-    if (formulas.at(id).op == Op::Until) promises.push_back(id);
+    if (formulas.at(id).op == FormulaOp::Until) promises.push_back(id);
   const auto turns = static_cast<std::uint32_t>(std::max<std::size_t>(promises.size(), 1));
   if (tableau.edges * turns > Tableau::kMostEdges) Tableau::tooLarge();
   const auto keeps = [&](const State& state, std::uint32_t turn) {
@@ -211,7 +212,7 @@ Monitor negated(const Ltl& ltl, Nodes& nodes,
   Monitor made;
   made.ofPoints = false;
   for (FormulaId id = 0; id < formulas.size(); ++id)
-    made.ofStates = made.ofStates && formulas.at(id).op != Op::Next;
+    made.ofStates = made.ofStates && formulas.at(id).op != FormulaOp::Next;
   for (const auto& state : tableau.states) {
     const NodeId label = formulas.label(state.old);
     for (std::uint32_t turn = 0; turn < turns; ++turn) {

@@ -66,7 +66,7 @@ void describeClocks(const System& system, Extrapolation extrapolation, Signature
   }
 }
 
-std::uint64_t bytesOf(const Signature& it) {
+std::uint64_t bytesOfSignature(const Signature& it) {
   constexpr std::uint64_t kOfAllocations = 5 * 16;
   return sizeof it + kOfAllocations + it.enabled.size() * sizeof(TransitionId) +
          it.clocks.size() * sizeof(ClockId) + it.invariants.size() * sizeof(Bound) +
@@ -92,7 +92,7 @@ SignatureId Timing::signature(bool urgent, const TransitionSet& enabled,
   for (std::size_t k = 0; k < set.size(); ++k) set[k] &= clocked[k];
   eachIn(set, [&](TransitionId transition) { made.enabled.push_back(transition); });
   describeClocks(system, extrapolation, made);
-  ofSignatures += bytesOf(made) + sizeof(TransitionSet) + set.size() * sizeof(Word);
+  ofSignatures += bytesOfSignature(made) + sizeof(TransitionSet) + set.size() * sizeof(Word);
   signatures.push_back(std::move(made));
   sets.push_back(std::move(set));
   return id;

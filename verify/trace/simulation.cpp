@@ -16,19 +16,19 @@ namespace {
 /// Strict bounds are met with a margin of one of these parts of a unit.
 constexpr std::int64_t kScale = 1 << 16;
 
-struct Taken {
-  Concrete before;
-  std::int64_t date = 0; ///< before the step
-};
-
-struct Candidate {
-  TransitionId transition = 0;
-  Choice choice;
-};
-
 } // namespace
 
 struct Simulation::State {
+  struct Taken {
+    Concrete before;
+    std::int64_t date = 0; ///< before the step
+  };
+
+  struct Candidate {
+    TransitionId transition = 0;
+    Choice choice;
+  };
+
   State(System made, const fiacre::Provenance& of)
       : system(std::move(made)), provenance(of), simulator(system, kScale), now(simulator.start()) {
     initial = valuesIn(system, now.state);
