@@ -96,7 +96,8 @@ class Unit:
     def of(command):
         file = command["file"]
         text = pathlib.Path(file).read_text(encoding="utf-8")
-        found = INCLUDE.findall(text) if file.startswith(str(BUILD)) else [file]
+        # groups name their sources by absolute paths; what else is in the build directory is generated
+        found = [path for path in INCLUDE.findall(text) if os.path.isabs(path)] if file.startswith(str(BUILD)) else [file]
         return Unit(file, command["command"], {os.path.relpath(path, ROOT) for path in found})
 
     @property

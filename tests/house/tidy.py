@@ -62,6 +62,8 @@ with tempfile.TemporaryDirectory() as directory:
     whole = tidy.Unit.of({"file": str(tidy.BUILD / "unity.cxx"), "command": f"c++ -c {tidy.BUILD / 'unity.cxx'}"})
     for names, sources in (({"b.cpp"}, {"b.cpp"}), ({"b.cpp", "header.h"}, {"b.cpp"}), ({"header.h"}, {"header.cpp"}), ({"a.h"}, {"a.cpp"})):
         expect(f"to read {sorted(names)}", [unit.sources for unit in tidy.covering([whole], names)], [sources])
+    (tidy.BUILD / "bytes.cpp").write_text('#include "a.h"\n', encoding="utf-8")
+    expect("what is generated", tidy.Unit.of({"file": str(tidy.BUILD / "bytes.cpp"), "command": ""}).sources, set())
     part = whole.part({"b.cpp"})
     expect("the part", pathlib.Path(part.file).read_text(encoding="utf-8"), f'#include "{tidy.ROOT / "b.cpp"}"\n')
     expect("its command", part.command, f"c++ -c {part.file}")
