@@ -66,8 +66,10 @@ public:
   std::vector<Note> notes;
 
 private:
+  /// Once for a place, which may be written for many values of inputs.
   void note(analysis::Location at, std::string_view what) {
-    notes.push_back({placeOf(program, at), fmt::format("not in PDDL: {}", what)});
+    const Note made{placeOf(program, at), fmt::format("not in PDDL: {}", what)};
+    if (std::ranges::find(notes, made) == notes.end()) notes.push_back(made);
   }
 
   std::vector<std::string> predicates() {
@@ -193,8 +195,12 @@ private:
   std::vector<std::string> effects(const analysis::Definition<syntax::Skill>& skill,
                                    const syntax::Outcome* outcome) {
     std::vector<std::string> all;
+    // A postcondition may repeat effects. Planners take a repeated effect for a conflict.
     const auto at = [&](const char* when, const std::vector<std::string>& some) {
-      for (const auto& each : some) all.push_back(fmt::format("(at {} {})", when, each));
+      for (const auto& each : some)
+        if (auto effect = fmt::format("(at {} {})", when, each);
+            std::ranges::find(all, effect) == all.end())
+          all.push_back(std::move(effect));
     };
     const auto resources = [&](const char* word) {
       std::vector<std::string> some;

@@ -69,8 +69,10 @@ const syntax::Expr& Terms::bound(const syntax::Expr& expr) const {
 }
 
 std::string Terms::fail(const syntax::Expr& expr, const char* what) {
-  errors.push_back(
-      {placeOf(program, {file, expr.range}), fmt::format("PDDL cannot say this: {}", what)});
+  const Error error{placeOf(program, {file, expr.range}),
+                    fmt::format("PDDL cannot say this: {}", what)};
+  // An expression is written for each value of the inputs.
+  if (std::ranges::find(errors, error) == errors.end()) errors.push_back(error);
   return "(and)";
 }
 
@@ -96,7 +98,7 @@ std::string Terms::number(const syntax::Expr& of) {
     usesNumbers = true;
     return function(expr.name.text);
   }
-  fail(expr, "a value that is not a number");
+  fail(of, "a value that is not a number");
   return "0";
 }
 
@@ -105,7 +107,26 @@ std::string Terms::comparison(const syntax::Expr& expr, const char* word) {
                      number(expr.operands.back()));
 }
 
+/// Whether an operand of an equality is the same whatever the state is.
+bool Terms::isValue(const syntax::Expr& operand) const {
+  const auto kind = bound(operand).kind;
+  if (kind == Kind::Symbol)
+    return operand.kind == Kind::Parameter || !program.stateVariables.find(operand.name.text);
+  return kind == Kind::True || kind == Kind::False || kind == Kind::Number;
+}
+
+/// Of two operands that do not depend on the state.
+std::optional<bool> Terms::areSame(const syntax::Expr& expr) const {
+  if (!isValue(expr.operands.front()) || !isValue(expr.operands.back())) return std::nullopt;
+  const auto& left = bound(expr.operands.front());
+  const auto& right = bound(expr.operands.back());
+  if (left.kind != right.kind) return false;
+  if (left.kind == Kind::Number) return left.number == right.number;
+  return left.kind != Kind::Symbol || left.name.text == right.name.text;
+}
+
 std::string Terms::equality(const syntax::Expr& expr) {
+  if (const auto same = areSame(expr)) return *same ? "(and)" : "(or)";
   const auto& left = bound(expr.operands.front());
   const auto& right = bound(expr.operands.back());
   if (left.kind == Kind::Access || right.kind == Kind::Access)

@@ -45,9 +45,11 @@ private:
   std::vector<std::string> moves(std::string_view variable, std::string_view value);
   std::string joined(const syntax::Expr& expr, const char* word);
   std::string equality(const syntax::Expr& expr);
+  [[nodiscard]] std::optional<bool> areSame(const syntax::Expr& expr) const;
   std::string comparison(const syntax::Expr& expr, const char* word);
   std::string number(const syntax::Expr& of);
   std::string fail(const syntax::Expr& expr, const char* what);
+  [[nodiscard]] bool isValue(const syntax::Expr& operand) const;
   [[nodiscard]] const syntax::Expr& bound(const syntax::Expr& expr) const;
   [[nodiscard]] const syntax::StateVariable* enumeration(std::string_view name) const;
 

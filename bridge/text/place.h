@@ -21,6 +21,8 @@ struct Place {
 struct Error {
   Place place;
   std::string message;
+
+  friend bool operator==(const Error&, const Error&) = default;
 };
 
 using Errors = std::vector<Error>;

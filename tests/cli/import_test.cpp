@@ -289,6 +289,29 @@ TEST_CASE("PDDL has an action for each value of an input that a skill reads") {
   CHECK(contains(out, "(at start (not (place-is-bed-1)))\n      (at start (<= (load) 2))"));
   CHECK(contains(out, "(at end (not (place-is-dock)))\n      (at end (place-is-bed-1))"));
   CHECK(contains(out, "(:durative-action go-dock-0\n"));
+  const auto compared = directory.write(
+      "compared.proskill",
+      "(defsv door :states (Open Closed) :init Open)\n(defsv at :states (Dock Bed) :init Dock)\n"
+      "(defskill go :input ($to at $by door $fast bool)\n"
+      "  :precondition (open (=> (= $to Bed) (door Open)) slow (/= $fast true) by (= $by door))\n"
+      "  :action (go $to) :success there (:effects (at $to)))\n");
+  const auto conditions = command({"emit", "pddl", compared}).out;
+  CHECK(contains(conditions, R"(go-bed-open-false
+    :parameters ()
+    :duration (>= ?duration 0)
+    :condition (and
+      (at start (go-is-idle))
+      (at start (or (not (and)) (door-is-open)))
+      (at start (not (or)))
+      (at start (door-is-open)))"));
+  CHECK(contains(conditions, "(at start (or (not (or)) (door-is-open)))\n"
+                             "      (at start (not (and)))"));
+  const auto about = directory.write(
+      "about.proskill", "(defsv at :states (Dock Bed) :init Dock)\n"
+                        "(defskill go :input ($to at) :precondition (new (=> (= $to Bed) (/= "
+                        "go.status success)))\n  :action (go $to) :success there)\n");
+  CHECK(command({"emit", "pddl", about}).err ==
+        about + ":2:65: error: PDDL cannot say this: a condition about a skill\n");
   const auto heavy = directory.write("heavy.proskill", skill("5000"));
   const auto refused = command({"emit", "pddl", heavy});
   CHECK(refused.exitCode == 2);
