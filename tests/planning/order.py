@@ -24,7 +24,7 @@ LID = """(defsv lid :states (Shut Open) :init Shut)
 sys.path.insert(0, str(ROOT / "python"))
 
 from proskill.planning import loop, planner  # noqa: E402
-from proskill.planning.order import Parallel, Sequence, Step, block_of, order_of  # noqa: E402
+from proskill.planning.order import Parallel, Sequence, Step, block_of, order_of, useful_steps  # noqa: E402
 from proskill.planning.pddl import Action, Domain, Refused  # noqa: E402
 from proskill.planning.planner import Planned  # noqa: E402
 from proskill.planning.skill import in_words, skill_of  # noqa: E402
@@ -198,7 +198,44 @@ class Orders(unittest.TestCase):
         self.assertIsInstance(block, Parallel)
 
 
+class Useful(unittest.TestCase):
+    def test_steps_that_do_not_lead_to_the_goal_are_omitted(self):
+        go = {place: Action(place, skill="go", effects=[[place], ["not", ["elsewhere"]]]) for place in "xyz"}
+        grip = Action("grip", skill="grip", start=[["y"]], overall=[["arm"]], effects=[["held"]])
+        lift = Action("lift", skill="lift", effects=[["arm"]])
+        actions = [go["x"], lift, go["y"], grip, go["z"], go["x"]]
+        plan = planned(*((each.name, i, i + 1) for i, each in enumerate(actions)))
+        self.assertEqual(useful_steps(plan, actions, {"held"}, set()), [1, 2, 3])
+        self.assertEqual(useful_steps(plan, actions, {"held", "x"}, set()), [1, 2, 3, 5])
+
+    def test_steps_that_hold_the_same_resource_need_not_each_other(self):
+        one, other = (Action(name, skill=name, start=[["one-is-idle"], [">=", ["left"], "1"]],
+                             effects=[["not", ["one-is-idle"]], ["decrease", ["left"], "1"], [name]]) for name in "ab")
+        plan = planned(("a", 0, 1), ("b", 2, 3))
+        self.assertEqual(useful_steps(plan, [one, other], {"b"}, {"one-is-idle", "left"}), [1])
+
+    def test_all_steps_that_count_are_needed(self):
+        cut = Action("cut", skill="cut", effects=[["assign", ["depth"], ["+", ["depth"], "1"]]])
+        take = Action("take", skill="take", start=[[">=", ["depth"], "2"]], effects=[["taken"]])
+        plan = planned(("cut", 0, 1), ("cut", 2, 3), ("take", 4, 5), ("cut", 6, 7))
+        self.assertEqual(useful_steps(plan, [cut, cut, take, cut], {"taken"}, set()), [0, 1, 2])
+
+    def test_what_changes_beside_a_step_is_needed(self):
+        start = Action("light", skill="light", effects=[["lit"]], start_effects=[["lit"]])
+        photograph = Action("shoot", skill="shoot", start=[["lit"]], overall=[["lit"]], effects=[["shot"]])
+        plan = planned(("light", 0, 10), ("shoot", 1, 5))
+        self.assertEqual(useful_steps(plan, [start, photograph], {"shot"}, set()), [0, 1])
+
+
 class Planners(unittest.TestCase):
+    def test_a_panic_of_a_planner_is_its_reason(self):
+        with tempfile.TemporaryDirectory() as folder:
+            log = pathlib.Path(folder) / "log"
+            log.write_text("Serving\nthread 'x' panicked at a.rs:3:9:\nOnly moments\nstack\n", encoding="utf-8")
+            self.assertEqual(planner.panic_in(str(log)), "internal error: Only moments")
+            log.write_text("Serving\n", encoding="utf-8")
+            self.assertEqual(planner.panic_in(str(log)), "")
+
     def test_durations_are_whole_for_planners_and_the_plan_in_seconds(self):
         given = []
 

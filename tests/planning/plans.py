@@ -68,6 +68,26 @@ class Plans(unittest.TestCase):
             self.assertRegex(done.stderr, "its order: go Well, .*, pour, go Dock\n  verified: every run")
             self.assertIn("(go to Well)", done.stdout)
 
+    def test_numbers_and_resources(self):
+        """Aries counts within bounds, and a constraint concerns the skill that the verifier blames."""
+        with tempfile.TemporaryDirectory() as folder:
+            text = """(defresource arm)
+(defsv depth :init 0 :min 0 :max 3)
+(defsv slot :states (A B) :init A)
+(defsv sample :states (None Kept) :init None)
+(defskill cut :precondition (room (< depth 3)) :resources (arm) :time_interval [2,8] :action (cut)
+  :success deeper (:effects (depth (+ depth 1)) :postcondition (> depth 0)))
+(defskill turn :input ($to slot) :precondition (other (/= slot $to)) :time_interval [1,4] :action (turn $to)
+  :success there (:effects (slot $to) :postcondition (slot $to)))
+(defskill take :precondition (deep (>= depth 2) turned (slot B)) :resources (arm) :time_interval [1,3] :action (take)
+  :success taken (:effects (sample Kept)))
+"""
+            done = plan("(sample Kept)", changed(text, folder), "--planner", "aries")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertRegex(done.stderr, "(?m)^  verified: every run")
+            self.assertEqual(done.stdout.count("(cut)"), 2, done.stdout)
+            self.assertEqual(done.stdout.count("(turn to"), 1, done.stdout)
+
     def test_moves_that_are_allowed(self):
         """A lift does not skip a floor, and a move waits for the end of the one before."""
         with tempfile.TemporaryDirectory() as folder:

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
 from dataclasses import dataclass, field
 from typing import Dict, List, Optional, Set, Tuple
 
-from proskill.planning.order import block_of
-from proskill.planning.pddl import Action, Domain, Refused, domain_of, problem_of
+from proskill.planning.order import block_of, useful_steps
+from proskill.planning.pddl import Action, Domain, Refused, domain_of, problem_of, terms_of, words_of
 from proskill.planning.planner import Planned, run_planner
 from proskill.planning.skill import in_words, skill_of
 
@@ -56,6 +57,7 @@ class Loop:
         """The text of a skill that the verifier accepts."""
         for number in range(1, MOST_ROUNDS + 1):
             plan, planner = self.plan()
+            plan = self.without_useless(plan)
             actions = [self.domain.actions[each.action] for each in plan]
             if not plan:
                 raise Refused("the goal holds from the start: no plan is needed")
@@ -85,6 +87,12 @@ class Loop:
                 raise Refused(f"no plan reaches the goal{because}, says {planner}")
             problems.append(f"{planner}: {answer.words}")
         raise Refused("no planner has found a plan\n  " + "\n  ".join(problems))
+
+    def without_useless(self, plan: List[Planned]) -> List[Planned]:
+        actions = [self.domain.actions[each.action] for each in plan]
+        goal = next(part[1] for part in terms_of(self.problem)[0] if part[0] == ":goal")
+        running = {atom for atom, words in self.domain.atoms.items() if words.endswith((" is idle", " left"))}
+        return [plan[i] for i in useful_steps(plan, actions, words_of(goal), running)] if plan else []
 
     # --- Verification
 
@@ -137,6 +145,11 @@ class Loop:
         victim = self.victim(finding, skills)
         if victim is None:
             return None
+        for number in re.findall(r"since step (\d+)", finding.summary):
+            reason = finding.steps[int(number) - 1]["actor"]
+            if reason in skills and reason != victim:
+                one, other = sorted((victim, reason))
+                return one, other
         variables = self.variables_of(victim, finding.kind == "property")
         for step in reversed(finding.steps):
             changed = {change["variable"] for change in step["changes"]} & variables

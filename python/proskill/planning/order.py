@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from fractions import Fraction
 from typing import List, Set, Tuple, Union
 
 from proskill.planning.pddl import Action, Term, words_of
@@ -57,6 +58,32 @@ def awaited_by(later: int, plan: List[Planned], actions: List[Action]) -> List[T
     changed = set().union(*(action.starts() for action in beside), set())
     own = actions[later].start + actions[later].overall
     return [term for term in own if words_of(term) & changed]
+
+
+def useful_steps(plan: List[Planned], actions: List[Action], goal: Set[str], running: Set[str]) -> List[int]:
+    """The steps from which causal links lead to the goal: a planner that looks for any plan may add others.
+
+    goal: the atoms that it reads; running: atoms that say whether a skill runs or what it holds, which are as at the
+    beginning wherever a step is omitted."""
+    kept: Set[int] = set()
+    wanted = [(goal, max(each.end for each in plan) + 1, -1)]
+    while wanted:
+        atoms, date, reader = wanted.pop()
+        for step in set().union(*(writers_before(date, atom, plan, actions) for atom in atoms - running), set()):
+            if step != reader and step not in kept:
+                kept.add(step)
+                overall = set().union(*(words_of(each) for each in actions[step].overall), set())
+                wanted += [(actions[step].reads(), plan[step].start, step), (overall, plan[step].end, step)]
+    return sorted(kept)
+
+
+def writers_before(date: Fraction, atom: str, plan: List[Planned], actions: List[Action]) -> Set[int]:
+    """The steps that give an atom its value at a date: the last to end, and those that run then. All that count."""
+    all_of_them = {i for i, each in enumerate(plan) if each.start < date and atom in actions[i].writes()}
+    counts = any(effect[0] in ("increase", "decrease", "assign") and atom in words_of(effect[1])
+                 for i in all_of_them for effect in actions[i].effects)
+    last = max((plan[i].end for i in all_of_them if plan[i].end <= date), default=None)
+    return {i for i in all_of_them if counts or plan[i].end > date or plan[i].end == last}
 
 
 def block_of(plan: List[Planned], actions: List[Action]) -> Block:

@@ -99,12 +99,51 @@ def main(engine: str, folder: str, seconds: str, megabytes: str) -> None:
 
     get_environment().credits_stream = None
     problem = PDDLReader().parse_problem(os.path.join(folder, "domain.pddl"), os.path.join(folder, "problem.pddl"))
-    with OneshotPlanner(name=engine) as planner:
-        result = planner.solve(problem, timeout=float(seconds))
+    if engine == "aries":
+        suit_aries(problem)
+    log = os.path.join(folder, "log")
+    with open(log, "w", encoding="utf-8") as output:  # without this, Aries leaves a file in /tmp
+        try:
+            with OneshotPlanner(name=engine) as planner:
+                result = planner.solve(problem, timeout=float(seconds), output_stream=output)
+        except Exception as error:  # pylint: disable=broad-exception-caught
+            words = panic_in(log) or str(error).partition("\n")[0]
+            return print(json.dumps({"status": "unknown", "plan": [], "words": words}))
     proved = (Status.UNSOLVABLE_PROVEN, Status.UNSOLVABLE_INCOMPLETELY)
     status = "solved" if result.plan else "unsolvable" if result.status in proved else "unknown"
     words = "" if result.plan else result.status.name.lower().replace("_", " ")
     print(json.dumps({"status": status, "plan": steps_of(result.plan), "words": words}))
+
+
+def suit_aries(problem) -> None:  # type: ignore[no-untyped-def]
+    """Aries counts in integers, as programs do, and reads them at moments only. So a condition about numbers over
+    all of an action is one at its start and its end; the verifier says where that is not enough."""
+    os.environ["ARIES_UP_ASSUME_REALS_ARE_INTS"] = "true"
+    if all(each.type.is_bool_type() for each in problem.fluents):
+        return
+    os.environ["ARIES_LCP_SYMMETRY_BREAKING"] = "simple"  # its usual one fails where effects count
+    variables = problem.environment.free_vars_extractor
+    for action in problem.actions:
+        conditions = dict(getattr(action, "conditions", {}))
+        if not conditions:
+            continue
+        action.clear_conditions()
+        for interval, all_of_it in conditions.items():
+            for each in all_of_it:
+                is_number = any(not it.fluent().type.is_bool_type() for it in variables.get(each))
+                moments = {interval.lower, interval.upper} if is_number else {interval}
+                for moment in sorted(moments, key=str):
+                    action.add_condition(moment, each)
+
+
+def panic_in(log: str) -> str:
+    """Why a planner of Rust has ended."""
+    with open(log, encoding="utf-8", errors="replace") as file:
+        lines = file.read().splitlines()
+    for line, following in zip(lines, lines[1:]):
+        if " panicked at " in line:
+            return f"internal error: {following}"
+    return ""
 
 
 def steps_of(plan: Optional[object]) -> List[dict]:  # type: ignore[type-arg]
