@@ -15,6 +15,8 @@ Block together(std::vector<Block> branches) {
   return {form};
 }
 
+constexpr auto kAnyOrder = "children may begin in any order, although some may end at once";
+
 bool endsSkill(const Exit& exit) { return exit == succeed() || exit == fail(); }
 
 Form countUp(const std::string& counter) {
@@ -75,8 +77,7 @@ Block Composites::branches(const Node& node, const Exit& success, const Exit& fa
       groups.size() > 1 && std::ranges::any_of(node.children, [&](const Node& child) {
         return traits.mayEndAtOnce(child);
       });
-  if (mixed)
-    vocabulary.approximate(node, "children may begin in any order, although some may end at once");
+  if (mixed) vocabulary.approximate(node, kAnyOrder);
   return together(std::move(blocks));
 }
 
@@ -101,7 +102,10 @@ void Body::parallelAll(const Node& node, const Exit& success, const Exit& failur
   const auto failures = vocabulary.counter(node, "_failures", count);
   statements.push_back(list("set", list(failures, "0")));
   std::vector<Block> blocks;
-  for (const auto& group : branchesOf(node, traits)) {
+  const auto groups = branchesOf(node, traits);
+  // An action that ends at once does not run beside those after it.
+  if (groups.size() > 1 && traits.hasInstantAction(node)) vocabulary.approximate(node, kAnyOrder);
+  for (const auto& group : groups) {
     Body body(vocabulary);
     for (const auto* child : group) body.result(*child, {}, {{countUp(failures)}});
     blocks.push_back(std::move(body.statements));

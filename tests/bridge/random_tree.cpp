@@ -45,7 +45,7 @@ private:
   std::string condition() { return fmt::format("<Condition ID=\"c{}\"/>\n", random.below(3)); }
 
   std::string action() {
-    const auto type = random.pick<std::string>({"Any", "Any", "Any", "Good", "Bad"});
+    const auto type = random.pick<std::string>({"Any", "Any", "Any", "Good", "Bad", "Quick"});
     return fmt::format("<Action ID=\"{}\" name=\"a{}\"/>\n", type, actions++);
   }
 

@@ -117,7 +117,8 @@ Status Ticker::action(std::size_t n, bool wasRunning) {
   const auto& node = *nodes[n].node;
   if (!wasRunning) start(n);
   const auto& leaf = leaves.of(node.name, node.id);
-  std::vector<Status> results{Status::Running};
+  std::vector<Status> results;
+  if (!leaf.isInstant()) results.push_back(Status::Running);
   if (leaf.succeeds) results.push_back(Status::Success);
   if (leaf.fails) results.push_back(Status::Failure);
   return results[choices.below(results.size())];

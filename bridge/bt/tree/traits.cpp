@@ -358,6 +358,12 @@ Ends Traits::inOrderAtOnce(const Node& node) const {
   return isSequence ? Ends{goesOn, endsEarly} : Ends{endsEarly, goesOn};
 }
 
+bool Traits::hasInstantAction(const Node& node) const {
+  if (node.kind == Kind::Action) return leaves.of(node.name, node.id).isInstant();
+  return std::ranges::any_of(node.children,
+                             [&](const Node& child) { return hasInstantAction(child); });
+}
+
 bool Traits::mayEndAtOnce(const Node& node) const {
   if (isPure(node) || hasPrecondition(node) || maySkip(node)) return true;
   if (node.kind == Kind::RunOnce || node.kind == Kind::Precondition || node.kind == Kind::Queue ||
