@@ -34,7 +34,8 @@ private:
   Block pauseResume(const Node& node);
   Block own(const Node& node);
   Block tickedAndHalted(const Node& child);
-  Block pipelineBranch(const Node& node, std::size_t child, const std::string& passed);
+  [[nodiscard]] std::vector<std::span<const Node>> pipelineParts(const Node& node) const;
+  Block pipelineBranch(std::span<const Node> part, std::size_t place, const std::string& passed);
   Block branches(const Node& node, const Exit& success, const Exit& failure);
   Block whileDoElse(const Node& node);
   Block choice(const Node& node);

@@ -7,6 +7,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
+
 namespace proskill::bridge::bt {
 namespace {
 
@@ -23,6 +26,13 @@ Form endProperty(Vocabulary& vocabulary, const std::string& main) {
               list("reachable", list("ended", main)));
 }
 
+/// Actions of Nav2 that return a result in each tick. A selector takes the name that came last on a
+/// topic, the others read or change a path or a list of goals.
+constexpr std::array kInstantActions{
+    "ControllerSelector", "GetPoseFromPath",   "GoalCheckerSelector",     "PathHandlerSelector",
+    "PlannerSelector",    "RemovePassedGoals", "ProgressCheckerSelector", "SmootherSelector",
+    "TruncatePath",       "TruncatePathLocal"};
+
 std::string verdictLine(const Vocabulary& vocabulary) {
   if (vocabulary.notes.empty())
     return "verdicts are exact for this tree: its leaves take the times and have the results that "
@@ -32,12 +42,17 @@ std::string verdictLine(const Vocabulary& vocabulary) {
          "tree; a violation may be one of the program alone";
 }
 
-std::vector<std::string> summaryOf(const Vocabulary& vocabulary, const Forest& forest) {
+std::vector<std::string> summaryOf(const Vocabulary& vocabulary, const Forest& forest,
+                                   const std::set<std::string>& instant) {
   std::vector<std::string> lines;
   if (!forest.hasFormat) lines.emplace_back("`BTCPP_format` is not 4: read as version 4");
   if (!forest.undeclared.empty())
     lines.push_back(fmt::format("not declared in `TreeNodesModel`, taken as actions: {}",
                                 fmt::join(forest.undeclared, ", ")));
+  if (!instant.empty())
+    lines.push_back(fmt::format("actions of Nav2 that end in the tick that starts them, unless a "
+                                "file of `--leaves` says otherwise: {}",
+                                fmt::join(instant, ", ")));
   if (!forest.own.empty())
     lines.push_back(fmt::format("not built in, taken as control nodes and decorators of the "
                                 "author, which halt their children before they end: {}",
@@ -56,6 +71,20 @@ std::vector<std::string> summaryOf(const Vocabulary& vocabulary, const Forest& f
   return lines;
 }
 
+Leaves withInstantActions(Leaves leaves) {
+  for (const auto* type : kInstantActions) leaves.assumeInstant(type);
+  return leaves;
+}
+
+/// The types of actions that were assumed to be instant.
+void findInstant(const Node& node, const Leaves& leaves, std::set<std::string>& types) {
+  if (node.kind == Kind::Action &&
+      std::ranges::find(kInstantActions, node.id) != kInstantActions.end())
+    if (const auto& leaf = leaves.of(node.name, node.id); leaf.isInstant() && !leaf.hasDuration)
+      types.insert(node.id);
+  for (const auto& child : node.children) findInstant(child, leaves, types);
+}
+
 /// The side file may say that a leaf is a condition, which a tree alone need not.
 void setKinds(Node& node, const Leaves& leaves) {
   const bool isLeaf =
@@ -68,14 +97,17 @@ void setKinds(Node& node, const Leaves& leaves) {
 } // namespace
 
 std::expected<Imported, Errors> importTree(const analysis::FileSystem& files,
-                                           const std::filesystem::path& root, const Leaves& leaves,
+                                           const std::filesystem::path& root, const Leaves& given,
                                            const std::filesystem::path& folder,
                                            const std::string& chosen) {
   const auto forest = read(files, root, chosen);
   if (!forest) return std::unexpected(forest.error());
   auto tree = expand(*forest);
   if (!tree) return std::unexpected(tree.error());
+  const auto leaves = withInstantActions(given);
   setKinds(*tree, leaves);
+  std::set<std::string> instant;
+  findInstant(*tree, leaves, instant);
   Vocabulary vocabulary(leaves, folder);
   vocabulary.undeclared = forest->undeclared;
   const auto main = Composites(vocabulary).of(missionOf(*forest, std::move(*tree)));
@@ -84,7 +116,7 @@ std::expected<Imported, Errors> importTree(const analysis::FileSystem& files,
   const auto head = fmt::format("The behavior tree `{}` of {}, by `proskill import bt`.", main,
                                 root.filename().generic_string());
   return Imported{write(head, vocabulary.program()), vocabulary.notes.empty(),
-                  summaryOf(vocabulary, *forest)};
+                  summaryOf(vocabulary, *forest, instant)};
 }
 
 } // namespace proskill::bridge::bt

@@ -73,32 +73,47 @@ void Body::rate(const Node& node, const Exit& success, const Exit& failure, cons
 
 /// A child runs again and again. From its first success on, the following ones run beside it.
 Block Composites::pipeline(const Node& node) {
-  const auto last = node.children.size() - 1;
+  const auto parts = pipelineParts(node);
   Body body(vocabulary);
-  if (last == 0) {
+  if (parts.empty()) {
     body.node(node.children.front(), succeed(), fail());
     return body.statements;
   }
   vocabulary.approximate(node, "a child that has succeeded is ticked again at any time");
-  const auto passed = vocabulary.counter(node, "_passed", static_cast<std::int64_t>(last));
+  const auto all = std::to_string(parts.size());
+  const auto passed = vocabulary.counter(node, "_passed", static_cast<std::int64_t>(parts.size()));
   Form branches = list("//");
-  for (std::size_t i = 0; i < last; ++i)
-    branches.parts.emplace_back(pipelineBranch(node, i, passed));
-  Block end{list("^", list("=", passed, std::to_string(last)))};
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    branches.parts.emplace_back(pipelineBranch(parts[i], i, passed));
+  Block end{list("^", list("=", passed, all))};
   body.node(node.children.back(), succeed(), fail());
   append(end, body.statements);
   branches.parts.emplace_back(std::move(end));
   return {list("set", list(passed, "0")), branches};
 }
 
-Block Composites::pipelineBranch(const Node& node, std::size_t child, const std::string& passed) {
+/// The children but the last one. A tick goes through those that always end in it one after the
+/// other, so they are one part.
+std::vector<std::span<const Node>> Composites::pipelineParts(const Node& node) const {
+  const auto children = std::span(node.children).first(node.children.size() - 1);
+  std::vector<std::span<const Node>> parts;
+  for (std::size_t i = 0; i < children.size(); ++i) {
+    const bool goesOn = i > 0 && traits.isInstant(children[i - 1]) && traits.isInstant(children[i]);
+    if (!goesOn) parts.push_back(children.subspan(i, 0));
+    parts.back() = {parts.back().data(), parts.back().size() + 1};
+  }
+  return parts;
+}
+
+Block Composites::pipelineBranch(std::span<const Node> part, std::size_t place,
+                                 const std::string& passed) {
   Body body(vocabulary);
-  if (child > 0) body.statements.push_back(list("^", list(">=", passed, std::to_string(child))));
+  if (place > 0) body.statements.push_back(list("^", list(">=", passed, std::to_string(place))));
   const auto again = vocabulary.names.take("again");
   body.statements.push_back(list("label", again));
-  body.node(node.children[child], {}, fail());
-  body.statements.push_back(list("if", list("=", passed, std::to_string(child)),
-                                 list("set", list(passed, std::to_string(child + 1)))));
+  for (const auto& child : part) body.node(child, {}, fail());
+  body.statements.push_back(list("if", list("=", passed, std::to_string(place)),
+                                 list("set", list(passed, std::to_string(place + 1)))));
   append(body.statements, {body.nextTick(true), list("goto", again)});
   return body.statements;
 }

@@ -31,6 +31,7 @@ std::optional<Wrong> readDuration(const Json& value, const std::string& where, L
   const auto least = seconds(value[0], where);
   if (!least) return least.error();
   leaf.least = *least;
+  leaf.hasDuration = true;
   if (value[1].is_null()) return std::nullopt;
   const auto most = seconds(value[1], where);
   if (!most) return most.error();
@@ -110,6 +111,12 @@ std::expected<Leaves, std::string> Leaves::read(std::string_view text) {
     }
   }
   return leaves;
+}
+
+void Leaves::assumeInstant(const std::string& type) {
+  const auto [leaf, isNew] = known.try_emplace(type);
+  if (isNew) used.insert(type); // the file does not have it
+  if (!leaf->second.hasDuration) leaf->second.most = "0";
 }
 
 const Leaf& Leaves::of(const std::string& name, const std::string& type) const {

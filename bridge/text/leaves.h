@@ -18,6 +18,7 @@ struct Leaf {
   bool succeeds = true;
   bool fails = true;
   bool changes = true;             ///< a condition: it may change at any time
+  bool hasDuration = false;        ///< the file says how long it takes
   std::optional<bool> isCondition; ///< nothing: as its text says
 
   /// Its duration as ProSkill writes it: `[2,5]`; empty: any time.
@@ -32,6 +33,9 @@ public:
   /// \return the leaves of a JSON text, or what is wrong with it
   [[nodiscard]] static std::expected<Leaves, std::string> read(std::string_view json);
 
+  /// From now on, leaves of a type end in the tick that starts them, unless the file says how long
+  /// they take.
+  void assumeInstant(const std::string& type);
   /// By its own name, or by its type.
   [[nodiscard]] const Leaf& of(const std::string& name, const std::string& type = {}) const;
   /// Entries of the file that nothing was looked up by.

@@ -315,6 +315,31 @@ TEST_CASE("a condition of Nav2 is one under the name that Nav2 registers, too") 
                ":action"));
 }
 
+TEST_CASE("children of a PipelineSequence that end in each tick are one branch") {
+  const auto tree = [](const std::string& first) {
+    return treeOf("<PipelineSequence><" + first + "/><PlannerSelector/><IsStuck/><Go/><Follow/>" +
+                  "</PipelineSequence>");
+  };
+  const std::string slow = R"({"leaves": {"ControllerSelector": {"duration": [0, null]}}})";
+  CHECK(contains(textOf(tree("ControllerSelector")), "(^ (= PipelineSequence_passed 2))"));
+  CHECK(contains(textOf(tree("ControllerSelector"), slow), "(^ (= PipelineSequence_passed 3))"));
+  CHECK(contains(textOf(tree("Slow")), "(^ (= PipelineSequence_passed 3))"));
+}
+
+TEST_CASE("actions of Nav2 that are known to end in each tick are named") {
+  const auto summaryOf = [](const std::string& leaves) {
+    const auto xml = treeOf("<Sequence><TruncatePath/><Go/><ControllerSelector/></Sequence>");
+    return importTree(MemoryFiles({{"main.xml", xml}}), "main.xml", *Leaves::read(leaves), {})
+        ->summary;
+  };
+  const std::string known = "actions of Nav2 that end in the tick that starts them, unless a file "
+                            "of `--leaves` says otherwise: ";
+  CHECK(summaryOf("{}")[1] == known + "ControllerSelector, TruncatePath");
+  CHECK(summaryOf(R"({"leaves": {"TruncatePath": {"duration": [0, 1]},
+                                 "ControllerSelector": {"outcomes": ["success"]}}})")[1] ==
+        known + "ControllerSelector");
+}
+
 TEST_CASE("a tree of Nav2 is imported, with its own nodes and conditions") {
   const std::string xml = R"(<root main_tree_to_execute="MainTree">
 <BehaviorTree ID="MainTree">

@@ -358,6 +358,17 @@ Ends Traits::inOrderAtOnce(const Node& node) const {
   return isSequence ? Ends{goesOn, endsEarly} : Ends{endsEarly, goesOn};
 }
 
+bool Traits::isInstant(const Node& node) const {
+  if (hasPrecondition(node)) return false;
+  if (isPureInside(node)) return true;
+  if (node.kind == Kind::Action) return leaves.of(node.name, node.id).isInstant();
+  const bool isInOrder = node.kind == Kind::Sequence || node.kind == Kind::Fallback ||
+                         node.kind == Kind::IfThenElse || node.kind == Kind::Inverter ||
+                         node.kind == Kind::ForceSuccess || node.kind == Kind::ForceFailure;
+  return isInOrder &&
+         std::ranges::all_of(node.children, [&](const Node& child) { return isInstant(child); });
+}
+
 bool Traits::hasInstantAction(const Node& node) const {
   if (node.kind == Kind::Action) return leaves.of(node.name, node.id).isInstant();
   return std::ranges::any_of(node.children,

@@ -27,6 +27,8 @@ public:
   [[nodiscard]] bool isPureInside(const Node& node) const;
   /// With what it surely can end in the tick that starts it.
   [[nodiscard]] Ends endsAtOnce(const Node& node) const;
+  /// Whether it always ends in the tick that starts it, and its parts one after the other.
+  [[nodiscard]] bool isInstant(const Node& node) const;
   /// Whether it contains an action that always ends in the tick that starts it.
   [[nodiscard]] bool hasInstantAction(const Node& node) const;
   /// Whether it may end in the tick that starts it although no action ends in that tick.
