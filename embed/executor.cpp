@@ -104,6 +104,7 @@ Done proskill_executor::serveView(const proskill_view_options* options) {
       {.program = *program,
        .executable = *executable,
        .speed = settings.isReal ? std::optional(settings.speed) : std::nullopt,
+       .whoGoesOn = named && !named->isSimulated() ? "the platform of this run would go on" : "",
        .askToEnd = [this] { stop(); }},
       options);
   if (!made) return std::unexpected(std::move(made.error()));
@@ -123,7 +124,7 @@ Done proskill_executor::start() {
                                           settings.run);
   beginRecording();
   execution->start();
-  if (live) live->started();
+  if (live && !live->canPause()) live->started();
   hasStarted = true;
   return {};
 }
@@ -133,9 +134,10 @@ runtime::Platform& proskill_executor::controlledPlatform() {
   if (!live) return shared;
   shared.addDescriptor(live->wakeUp().descriptor());
   audience.add(live->observer());
-  if (!settings.isReal) {
+  if (live->canPause()) {
     clock = live->pausable(std::move(clock));
     settings.run.pause = &live->pause();
+    if (settings.isReal) platform->timesFrom(live->pause(), settings.speed);
   }
   return live->control(shared);
 }
@@ -185,7 +187,11 @@ Done proskill_executor::proceed() {
   if (!hasStarted) return failed(PROSKILL_WRONG_ORDER, "the run has not started");
   if (hasEnded) return failed(PROSKILL_WRONG_ORDER, "the run has ended");
   platform->wakeUp.acknowledge();
-  if (live) live->wakeUp().acknowledge();
+  if (live) {
+    live->wakeUp().acknowledge();
+    std::ignore = clock->now(); // stands still from here on, if the page has paused the run
+    if (auto done = live->tellHold(this); !done) return done;
+  }
   if (!doWhatIsDue() && jump()) doWhatIsDue();
   if (auto trouble = entries.takeTrouble(); !trouble.empty())
     return failed(PROSKILL_SYSTEM_ERROR, std::move(trouble));

@@ -117,11 +117,18 @@ Done FunctionPlatform::setResult(Report& report, const char* result) const {
   return unknownName(fmt::format("result of `{}`", performed.skill), result, names);
 }
 
+/// For any thread.
+Nanoseconds FunctionPlatform::now() const {
+  if (!clock.isReal()) return seen;
+  // What is planned while an action starts is not early, however the two clocks are read.
+  return pause ? std::max(pause->date(speedOfPause), seen.load()) : clock.now();
+}
+
 /// \pre the mutex is locked
 void FunctionPlatform::plan(Report report, Nanoseconds delay) {
   if (hasClosed) return;
   Nanoseconds date = 0;
-  if (delay > 0) date = (clock.isReal() ? clock.now() : seen.load()) + delay;
+  if (delay > 0) date = now() + delay;
   planned.emplace(date, std::move(report));
   wakeUp.ring();
 }

@@ -2,7 +2,7 @@
 
 #include "embed/failure.h"
 #include "runtime/clock/clock.h"
-#include "runtime/control/wake_up.h"
+#include "runtime/control/pause.h"
 #include "runtime/platform/platform.h"
 
 #include <atomic>
@@ -28,6 +28,12 @@ public:
   FunctionPlatform(const runtime::Executable& executable, runtime::Clock& clock,
                    proskill_executor* owner);
 
+  /// Times are those of a clock that is paused. \pre the pause outlives this
+  /// \param speed seconds of the run per second
+  void timesFrom(const runtime::Pause& of, double speed) {
+    pause = &of;
+    speedOfPause = speed;
+  }
   void perform(std::uint32_t action, Functions functions) { performers[action] = functions; }
   [[nodiscard]] bool performs(std::uint32_t action) const {
     return performers[action].begin != nullptr;
@@ -70,6 +76,7 @@ private:
   actionOf(runtime::RunNumber run) const;
   Done setResult(runtime::Report& report, const char* result) const;
   void plan(runtime::Report report, runtime::Nanoseconds delay);
+  [[nodiscard]] runtime::Nanoseconds now() const;
   bool counts(runtime::Report& report);
   void end(std::uint32_t action);
   template <class Call> void guarded(runtime::RunNumber run, Call&& call);
@@ -77,6 +84,8 @@ private:
   const runtime::Executable& executable;
   runtime::Clock& clock;
   proskill_executor* owner;
+  const runtime::Pause* pause = nullptr; ///< null: the clock is never paused
+  double speedOfPause = 1;
   std::vector<Functions> performers;          ///< by action
   std::atomic<runtime::Nanoseconds> seen = 0; ///< the last date of the run
   mutable std::mutex mutex;                   ///< guards what follows

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
 
 namespace proskill::embed {
@@ -12,18 +13,29 @@ namespace proskill::embed {
 namespace {
 
 std::expected<proskill_view_options, Failure> completed(const proskill_view_options* given) {
+  constexpr auto kFirstVersion = offsetof(proskill_view_options, hold);
   proskill_view_options options = PROSKILL_VIEW_OPTIONS;
   if (!given) return options;
-  if (given->size < sizeof options)
+  if (given->size < kFirstVersion)
     return failed(PROSKILL_INVALID_ARGUMENT, "options must begin as PROSKILL_VIEW_OPTIONS");
-  std::memcpy(&options, given, sizeof options);
+  std::memcpy(&options, given, std::min(given->size, sizeof options));
   return options;
 }
 
-Done suits(const proskill_view_options& options, bool isReal) {
+/// \return "" if pages may pause the run
+std::string whyNoPause(const LiveView::Subject& subject, const proskill_view_options& options) {
+  if (!subject.speed) return "";
+  if (!subject.whoGoesOn.empty()) return subject.whoGoesOn;
+  if (options.hold) return "";
+  return "only runs in simulated time can be paused, and those whose program has a function "
+         "`hold`: "
+         "this one would go on";
+}
+
+Done suits(const LiveView::Subject& subject, const proskill_view_options& options) {
   if (!options.paused) return {};
-  if (isReal)
-    return failed(PROSKILL_INVALID_ARGUMENT, "only a run in simulated time can begin `paused`");
+  if (const auto why = whyNoPause(subject, options); !why.empty())
+    return failed(PROSKILL_INVALID_ARGUMENT, "the run cannot begin `paused`: " + why);
   if (options.no_controls)
     return failed(PROSKILL_INVALID_ARGUMENT,
                   "`paused` and `no_controls` exclude each other: nobody could continue the run");
@@ -36,8 +48,7 @@ std::expected<std::unique_ptr<LiveView>, Failure>
 LiveView::open(Subject subject, const proskill_view_options* given) {
   const auto options = completed(given);
   if (!options) return std::unexpected(options.error());
-  if (auto done = suits(*options, subject.speed.has_value()); !done)
-    return std::unexpected(std::move(done.error()));
+  if (auto done = suits(subject, *options); !done) return std::unexpected(std::move(done.error()));
   std::unique_ptr<LiveView> made(new LiveView);
   if (auto done = made->openPage(std::move(subject), *options); !done)
     return std::unexpected(std::move(done.error()));
@@ -46,7 +57,9 @@ LiveView::open(Subject subject, const proskill_view_options* given) {
 
 Done LiveView::openPage(Subject subject, const proskill_view_options& options) {
   if (options.paused) held.hold();
-  const bool isReal = subject.speed.has_value();
+  const auto fixed = whyNoPause(subject, options);
+  isPausable = fixed.empty();
+  if (isPausable && subject.speed) holder = {options.hold, options.data};
   auto opened =
       embed::openPage({.program = subject.program,
                        .executable = subject.executable,
@@ -54,9 +67,7 @@ Done LiveView::openPage(Subject subject, const proskill_view_options& options) {
                        .inbox = inbox,
                        .speed = subject.speed,
                        .whyNoControl = options.no_controls ? "pages cannot influence this run" : "",
-                       .whyNoPause = isReal ? "only runs in simulated time can be paused: the "
-                                              "program that executes this one would go on"
-                                            : "",
+                       .whyNoPause = fixed,
                        .askToEnd = std::move(subject.askToEnd),
                        .whyNoClose = "the program that has executed the run shows it until it ends",
                        .waits = false},
@@ -65,6 +76,19 @@ Done LiveView::openPage(Subject subject, const proskill_view_options& options) {
   page = std::move(*opened);
   url = page->url();
   steps = page->observer();
+  return {};
+}
+
+Done LiveView::tellHold(proskill_executor* executor) {
+  if (!holder.function || held.isHeld() == holder.isTold) return {};
+  holder.isTold = !holder.isTold;
+  try {
+    holder.function(executor, holder.isTold, holder.data);
+  } catch (const std::exception& error) {
+    return failed(PROSKILL_SYSTEM_ERROR, fmt::format("`hold`: {}", error.what()));
+  } catch (...) {
+    return failed(PROSKILL_SYSTEM_ERROR, "an exception has left the function `hold`");
+  }
   return {};
 }
 

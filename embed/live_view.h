@@ -17,6 +17,7 @@ public:
     const analysis::Program& program;
     const runtime::Executable& executable;
     std::optional<double> speed; ///< of a real clock
+    std::string whoGoesOn;       ///< why nobody can pause it in real time; empty: the program may
     std::function<void()> askToEnd;
   };
 
@@ -31,7 +32,12 @@ public:
   /// Rings when the page pauses or continues the run, or sends something.
   [[nodiscard]] runtime::WakeUp& wakeUp() { return held.wakeUp; }
   [[nodiscard]] runtime::Observer& observer() { return *steps; }
-  /// The clock of a run in simulated time that the page may pause.
+  /// Whether the page may pause the run.
+  [[nodiscard]] bool canPause() const { return isPausable; }
+  /// The run's: calls the program's function if the page has paused or continued the run in real
+  /// time.
+  [[nodiscard]] Done tellHold(proskill_executor* executor);
+  /// The clock of a run that the page may pause.
   [[nodiscard]] std::unique_ptr<runtime::Clock> pausable(std::unique_ptr<runtime::Clock> clock);
   /// The platform of the run, with what the page sends. \pre it outlives this
   [[nodiscard]] runtime::Platform& control(runtime::Platform& platform);
@@ -42,9 +48,17 @@ public:
 
 private:
   LiveView() = default;
+  /// The function of the program that holds its actions.
+  struct Holder {
+    proskill_hold function = nullptr; ///< null: it is not called
+    void* data = nullptr;
+    bool isTold = false; ///< that the run is paused
+  };
   Done openPage(Subject subject, const proskill_view_options& options);
 
   std::string url;
+  bool isPausable = false;
+  Holder holder;
   runtime::Pause held;
   runtime::SignalInbox inbox{held.wakeUp};
   std::unique_ptr<runtime::Platform> controlled;

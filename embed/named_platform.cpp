@@ -72,8 +72,10 @@ Done NamedPlatform::suits(bool isReal, double speed) const {
   return {};
 }
 
+bool NamedPlatform::isSimulated() const { return content.kind == PlatformKind::Simulated; }
+
 bool NamedPlatform::needsEnvironment() const {
-  return content.kind == PlatformKind::Simulated && !speaksForEnvironment(content.file);
+  return isSimulated() && !speaksForEnvironment(content.file);
 }
 
 std::expected<std::unique_ptr<runtime::Platform>, Failure>

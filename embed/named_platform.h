@@ -20,6 +20,8 @@ public:
 
   /// Fails if the platform cannot be used with such a clock.
   [[nodiscard]] Done suits(bool isReal, double speed) const;
+  /// Whether it is a simulation, which follows the clock of the run.
+  [[nodiscard]] bool isSimulated() const;
   /// Whether it leaves the events to the program's own environment.
   [[nodiscard]] bool needsEnvironment() const;
 

@@ -148,21 +148,29 @@ proskill_error proskill_executor_record(proskill_executor* executor, const char*
    not. The run goes on, and the observer gets a note. Valid as long as the executor. */
 const char* proskill_executor_recording_error(const proskill_executor* executor);
 
+/* In real time, called in the thread of the run when the page has paused it, and when it has
+   continued it: what your actions do should pause in between, as the clock of the run does.
+   \param held whether the run is paused from now on */
+typedef void (*proskill_hold)(proskill_executor* executor, bool held, void* data);
+
 typedef struct proskill_view_options {
-  size_t size;      /* of this struct */
-  uint16_t port;    /* on the loopback interface; 0: any free port */
-  bool no_controls; /* the page only shows the run */
-  bool paused;      /* simulated time: the run begins paused, until the page continues it */
+  size_t size;        /* of this struct */
+  uint16_t port;      /* on the loopback interface; 0: any free port */
+  bool no_controls;   /* the page only shows the run */
+  bool paused;        /* the run begins paused, until the page continues it */
+  proskill_hold hold; /* NULL: the page cannot pause a run in real time */
+  void* data;         /* for `hold` */
 } proskill_view_options;
 
 /* Initial value of options. */
 #define PROSKILL_VIEW_OPTIONS                                                                      \
-  { sizeof(proskill_view_options), 0, false, false }
+  { sizeof(proskill_view_options), 0, false, false, NULL, NULL }
 
 /* Serves a page that shows the run while it happens, as `proskill run --view` does, and afterwards
    until the executor is freed. Before the start. Threads of the library serve it; no step waits for
-   them. The page can send events and interrupts, and end the run; in simulated time, pause it.
-   Requires libproskill_view.so, which is installed with the library, and Graphviz.
+   them. The page can send events and interrupts, and end the run; in simulated time, and with
+   `hold`, pause it. Requires libproskill_view.so, which is installed with the library, and
+   Graphviz.
    \param options NULL: PROSKILL_VIEW_OPTIONS */
 proskill_error proskill_executor_serve_view(proskill_executor* executor,
                                             const proskill_view_options* options);

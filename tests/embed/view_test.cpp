@@ -4,7 +4,9 @@
 #include <catch2/catch.hpp>
 
 #include <csignal>
+#include <cstddef>
 #include <poll.h>
+#include <stdexcept>
 #include <thread>
 
 using namespace proskill;
@@ -143,7 +145,8 @@ TEST_CASE("a page steps through simulated time while one call runs to the end") 
 }
 
 TEST_CASE("in real time a page sends events and interrupts, and ends the run") {
-  const Shown run({sizeof(proskill_view_options), 0, false, false}, inRealTime());
+  const proskill_view_options view = PROSKILL_VIEW_OPTIONS;
+  const Shown run(view, inRealTime());
   const Visitor visitor(run.address());
   std::thread clicks([&] {
     while (visitor.status()["steps"] == 0) std::this_thread::yield();
@@ -156,6 +159,66 @@ TEST_CASE("in real time a page sends events and interrupts, and ends the run") {
   clicks.join();
   CHECK(run.value("sky") == "Stormy");
   CHECK(std::string(proskill_executor_outcome(run.executor)) == "success");
+}
+
+TEST_CASE("in real time a page pauses the run of a program that holds its actions") {
+  std::vector<bool> told;
+  auto view = paused();
+  view.hold = [](proskill_executor*, bool held, void* data) {
+    static_cast<std::vector<bool>*>(data)->push_back(held);
+  };
+  view.data = &told;
+  const Shown run(view, inRealTime());
+  const Visitor visitor(run.address());
+  run.start();
+  run.proceed();
+  CHECK(told == std::vector{true});
+  CHECK(proskill_executor_steps(run.executor) == 0);
+  CHECK(proskill_executor_timeout(run.executor) < 0);
+  CHECK(visitor.status()["state"] == "paused");
+  CHECK(visitor.control("step") == "");
+  REQUIRE(run.proceedWhenAsked());
+  CHECK(proskill_executor_steps(run.executor) == 1);
+  CHECK(visitor.control("continue") == "");
+  REQUIRE(run.proceedWhenAsked());
+  CHECK(told == std::vector{true, false});
+  CHECK(visitor.control("pause") == "");
+  REQUIRE(run.proceedWhenAsked());
+  CHECK(told == std::vector{true, false, true});
+  const auto date = visitor.status()["date"];
+  run.proceed();
+  CHECK(visitor.status()["date"] == date);
+  CHECK(visitor.control("continue") == "");
+  REQUIRE(proskill_executor_report(run.executor, "storm") == PROSKILL_OK);
+  REQUIRE(proskill_executor_run(run.executor) == PROSKILL_OK);
+  CHECK(told == std::vector{true, false, true, false});
+  CHECK(std::string(proskill_executor_outcome(run.executor)) == "success");
+  CHECK_THAT(run.text(), !Contains("undershoot"));
+}
+
+TEST_CASE("an exception that leaves `hold` ends the call, and the run can go on") {
+  auto view = paused();
+  view.hold = [](proskill_executor*, bool held, void*) {
+    if (held) throw std::runtime_error("no brake");
+  };
+  const Shown run(view, inRealTime());
+  const Visitor visitor(run.address());
+  run.start();
+  CHECK(proskill_executor_proceed(run.executor) == PROSKILL_SYSTEM_ERROR);
+  CHECK_THAT(std::string(proskill_error_text()), Contains("no brake"));
+  CHECK(visitor.control("continue") == "");
+  REQUIRE(proskill_executor_report(run.executor, "storm") == PROSKILL_OK);
+  REQUIRE(proskill_executor_run(run.executor) == PROSKILL_OK);
+}
+
+TEST_CASE("view options of a program that was built before there was `hold` are accepted") {
+  proskill_view_options view = PROSKILL_VIEW_OPTIONS;
+  view.size = offsetof(proskill_view_options, hold);
+  view.hold = [](proskill_executor*, bool, void*) { FAIL(); };
+  const Shown run(view, inRealTime());
+  run.start();
+  CHECK_THAT(Visitor(run.address()).control("pause"), Contains("a function `hold`"));
+  run.proceed();
 }
 
 TEST_CASE("a page without controls only shows the run") {
@@ -207,7 +270,7 @@ TEST_CASE("signals are left to the threads of the program") {
 TEST_CASE("a page that is not possible is an error with its reason") {
   proskill_view_options view = PROSKILL_VIEW_OPTIONS;
   CHECK_THAT(refusal(paused(), PROSKILL_INVALID_ARGUMENT, inRealTime()),
-             Contains("only a run in simulated time can begin `paused`"));
+             Contains("cannot begin `paused`: only runs in simulated time"));
   auto both = paused();
   both.no_controls = true;
   CHECK_THAT(refusal(both, PROSKILL_INVALID_ARGUMENT), Contains("exclude each other"));
