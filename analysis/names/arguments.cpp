@@ -76,8 +76,19 @@ Type Arguments::type(const Expr& argument, Type wanted) {
   case ExprKind::Release:
   case ExprKind::StrongRelease: break;
   }
-  context.findings.report(Code::ArgumentNotLiteral, {file, argument.range});
+  notLiteral(argument, wanted);
   return {};
+}
+
+/// A word that is not a state variable may have been meant as a text.
+void Arguments::notLiteral(const Expr& argument, Type wanted) {
+  auto finding = context.findings.report(Code::ArgumentNotLiteral, {file, argument.range});
+  const bool mayBeText = !wanted.known() || wanted.kind == TypeKind::String;
+  if (argument.kind != ExprKind::Symbol || !mayBeText) return;
+  const auto word = argument.name.text;
+  if (context.symbols.find(SymbolKind::StateVariable, word) != kNoSymbol) return;
+  finding.fix("write it in quotes, as a string", {file, argument.range},
+              fmt::format("\"{}\"", word));
 }
 
 /// Whether an unknown word may have been meant as a constant. Known constants have their numbers

@@ -22,6 +22,7 @@ public:
 
 private:
   Type number(const syntax::Expr& argument, Type wanted);
+  void notLiteral(const syntax::Expr& argument, Type wanted);
   [[nodiscard]] bool mayBeConstant(const syntax::Name& word, Type wanted) const;
   [[nodiscard]] const syntax::Argument* unnamed(const syntax::Statement& call,
                                                 SymbolId callee) const;

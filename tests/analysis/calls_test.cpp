@@ -89,6 +89,16 @@ TEST_CASE("an action takes literals and the skill's own inputs") {
   CHECK(findings("(defskill s :action (go $x))") == "PS0208 x");
 }
 
+TEST_CASE("a word where an action takes a text may be put in quotes") {
+  const auto fixOf = [](const std::string& text) {
+    const auto found = diagnose(kWorld + text);
+    return found.size() == 1 && found[0].fixes.size() == 1 ? found[0].fixes[0].text : std::string();
+  };
+  CHECK(fixOf("(defskill s :action (go fast))") == "\"fast\"");
+  CHECK(fixOf("(defskill s :action (go Low))") == "\"Low\"");
+  CHECK(fixOf("(defskill s :action (go battery))").empty());
+}
+
 TEST_CASE("a monitor cannot be called") {
   CHECK(findings(kWorld + "(defskill watch :monitor t :body ((^ (battery Low))))"
                           "(defskill m :body ((watch)))") == "PS0421 watch");
