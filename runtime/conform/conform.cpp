@@ -154,19 +154,22 @@ private:
 
   // --- Reasons for a deviation
 
+  /// An interval of an action or of an event is measured between recorded steps. Whatever the
+  /// environment has done in between, no run of the model has these steps at these dates.
+  enum class Broken : std::uint8_t { Interval, Other };
+
   ConformResult explained(ConformResult result, const States& before, const RecordedStep& step) {
-    result.verdict = model.environmentIsHidden ? Conformance::Unknown : Conformance::Deviates;
-    if (before.empty())
-      explainLate(result, step);
-    else
-      explainStep(result, before, step);
-    if (model.environmentIsHidden)
-      result.why += "; the environment may have done more than is recorded";
+    result.verdict = Conformance::Deviates;
+    const auto broken =
+        before.empty() ? explainLate(result, step) : explainStep(result, before, step);
+    if (!model.environmentIsHidden || broken == Broken::Interval) return result;
+    result.verdict = Conformance::Unknown;
+    result.why += "; the environment may have done more than is recorded";
     return result;
   }
 
   /// Reports that some step must happen before the date of the recorded one.
-  void explainLate(ConformResult& result, const RecordedStep& step) {
+  Broken explainLate(ConformResult& result, const RecordedStep& step) {
     result.why = "something else has to happen before";
     for (const auto& state : blocked)
       for (const auto& [id, since] : state.since) {
@@ -193,12 +196,14 @@ private:
                           secondsText(step.date - since), secondsText(*model.promised[id].upper));
         } else {
           result.why = fmt::format("before this `{}` {}", what.actor, what.description);
+          return Broken::Other;
         }
-        return;
+        return asked.contains(what.actor) ? Broken::Other : Broken::Interval;
       }
+    return Broken::Other;
   }
 
-  void explainStep(ConformResult& result, const States& before, const RecordedStep& step) {
+  Broken explainStep(ConformResult& result, const States& before, const RecordedStep& step) {
     result.why = "no run of the model has this step here";
     for (const auto& state : before)
       for (const auto id : model.candidates(step)) {
@@ -216,10 +221,11 @@ private:
           result.assumption =
               fmt::format("`{}` came after {}; its `:every` promises at least {}", step.what.actor,
                           secondsText(age), secondsText(model.promised[id].lower));
-        return;
+        return model.isOfAction[id] || model.isOfEvent[id] ? Broken::Interval : Broken::Other;
       }
     if (step.what.description == "its action ends without a known result")
       result.assumption = "an action ends with one of the results of its skill";
+    return Broken::Other;
   }
 
   [[nodiscard]] fiacre::Origin lastOrigin() const {

@@ -91,6 +91,26 @@ TEST_CASE("conform finds the assumption that a run breaks") {
   CHECK(slow.assumption == "an action stops at once; that of `fly` took 0.5 s");
 }
 
+TEST_CASE("an interval is broken, whatever an environment that was not executed has done") {
+  const auto text = kProgram + R"(
+  (defenvironment world :body
+    ((while true (^ [1,...[) (choose ((emit storm)) ((fly.interrupt)))))))";
+  const auto judgedIn = [&](const std::string& script) {
+    const auto ran = test::runOf(*test::executableOf(text, false), 0, script, "");
+    REQUIRE_FALSE(ran.recorded.environment);
+    return judged(text, ran.recorded);
+  };
+  CHECK(judgedIn(flight("2")).verdict == Conformance::Conforms);
+  const auto early = judgedIn(flight("1.5"));
+  CHECK(early.verdict == Conformance::Deviates);
+  CHECK(early.why == "it comes too early");
+  const auto late = judgedIn(flight("7"));
+  CHECK(late.verdict == Conformance::Deviates);
+  CHECK(late.why == "`fly` is still running");
+  const auto soon = judgedIn(R"({"signals":[{"at":0.2,"event":"storm"}]})");
+  CHECK(soon.verdict == Conformance::Unknown);
+}
+
 TEST_CASE("a tolerance forgives what is that near") {
   CHECK(judgedRun(flight("1.995"), "", 10'000'000).verdict == Conformance::Conforms);
   CHECK(judgedRun(flight("5.005"), "", 10'000'000).verdict == Conformance::Conforms);
