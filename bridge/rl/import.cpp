@@ -1,5 +1,6 @@
 #include "bridge/rl/import.h"
 
+#include "bridge/rl/compose.h"
 #include "bridge/rl/read/read.h"
 #include "bridge/rl/translate.h"
 
@@ -8,7 +9,11 @@
 namespace proskill::bridge::rl {
 namespace {
 
-std::string verdictLine(bool exact) {
+std::string verdictLine(bool exact, bool isLibrary) {
+  if (!isLibrary)
+    return "verdicts are about the composites as docs/import.md defines their operators, which "
+           "have no published meaning; skills take any time, and events may occur whenever their "
+           "guards hold";
   if (exact)
     return "verdicts are exact for these skillsets: any skill may be called at any time and takes "
            "any time, and events may occur whenever their guards hold";
@@ -21,10 +26,11 @@ std::string verdictLine(bool exact) {
 std::expected<Imported, Errors> importSkillsets(const analysis::FileSystem& files,
                                                 const std::filesystem::path& root,
                                                 const std::filesystem::path& folder) {
-  const auto skillsets = read(files, root);
-  if (!skillsets) return std::unexpected(skillsets.error());
-  Translation translation(folder, skillsets->size() > 1);
-  for (const auto& skillset : *skillsets) translation.add(skillset);
+  const auto parsed = read(files, root);
+  if (!parsed) return std::unexpected(parsed.error());
+  Translation translation(folder, parsed->skillsets.size() > 1);
+  for (const auto& skillset : parsed->skillsets) translation.add(skillset);
+  addComposites(translation, parsed->skillsets, parsed->composites);
   if (!translation.errors.empty()) return std::unexpected(std::move(translation.errors));
   const auto head = fmt::format("The skillsets of {}, by `proskill import rl`.",
                                 root.filename().generic_string());
@@ -39,7 +45,7 @@ std::expected<Imported, Errors> importSkillsets(const analysis::FileSystem& file
   if (imported.exact && translation.interrupts > 0)
     imported.summary.emplace_back("that a skill can be interrupted is also reachable between its "
                                   "call and its start, which RL does not distinguish");
-  imported.summary.push_back(verdictLine(imported.exact));
+  imported.summary.push_back(verdictLine(imported.exact, parsed->composites.empty()));
   return imported;
 }
 

@@ -7,9 +7,7 @@
 #include <array>
 
 namespace proskill::bridge::rl {
-namespace {
 
-/// The type of an input in ProSkill. Other types are passed on as texts.
 std::string_view typeOf(std::string type) {
   std::ranges::transform(type, type.begin(),
                          [](char c) { return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c; });
@@ -20,8 +18,6 @@ std::string_view typeOf(std::string type) {
   if (isIn("bool", "boolean")) return "bool";
   return "string";
 }
-
-} // namespace
 
 void Translation::add(const Skillset& skillset) {
   Scope scope(errors);
@@ -70,7 +66,13 @@ void Translation::event(const Skillset& skillset, const Event& event, Scope& sco
 }
 
 void Translation::skill(const Skillset& skillset, const Skill& skill, Scope& scope) {
-  Form form = list("defskill", nameOf(skillset, skill.name));
+  Callable called{nameOf(skillset, skill.name), {}, {}};
+  for (const auto& input : skill.inputs) {
+    called.inputs.push_back(asName(input.name.text));
+    called.types.emplace_back(typeOf(input.type));
+  }
+  Form form = list("defskill", called.name);
+  callable.emplace(std::pair(skillset.name.text, skill.name.text), std::move(called));
   form.comment = comment(skill.name, "skill");
   inputs(skill, form);
   NamePool tags;

@@ -1,8 +1,27 @@
 #pragma once
 
+#include "bridge/rl/read/composite.h"
 #include "bridge/rl/scope.h"
 
+#include <expected>
+#include <map>
+
 namespace proskill::bridge::rl {
+
+/// What a composite can call.
+struct Callable {
+  std::string name;                ///< in the program
+  std::vector<std::string> inputs; ///< in the program
+  std::vector<std::string> types;  ///< of the inputs, in the program
+};
+
+/// A composite skill that calls a composite with parameters, which nothing else calls: a mission
+/// has no inputs. Truth values are any; other values are texts with the names of the parameters, or
+/// 0.
+[[nodiscard]] std::expected<Block, std::string> startOf(const Callable& composite, NamePool& names);
+
+/// The type of an input in ProSkill. Other types are passed on as texts.
+[[nodiscard]] std::string_view typeOf(std::string type);
 
 /// Skillsets as one program: resources become state variables, events and skills keep their parts.
 class Translation {
@@ -16,6 +35,13 @@ public:
   [[nodiscard]] Block program() const;
   /// What has no equivalent and does not matter to verdicts, as lines for people.
   [[nodiscard]] std::vector<std::string> omitted() const;
+
+  /// By skillset and skill.
+  std::map<std::pair<std::string, std::string>, Callable> callable;
+  NamePool names;
+  Block skills;
+  Block variables;
+  [[nodiscard]] std::string comment(const Word& word, const char* kind) const;
 
   Errors errors;
   std::vector<Note> notes;      ///< what was approximated
@@ -32,14 +58,10 @@ private:
   void interrupt(const Skill& skill, Scope& scope, Form& form);
   void approximate(const Skill& skill);
   std::string nameOf(const Skillset& skillset, const Word& word);
-  [[nodiscard]] std::string comment(const Word& word, const char* kind) const;
 
   const std::filesystem::path folder;
   const bool several;
-  NamePool names;
-  Block variables;
   Block events;
-  Block skills;
   std::size_t data = 0;
   std::size_t outputs = 0;
   std::size_t progresses = 0;

@@ -88,7 +88,7 @@ void addImport(CLI::App& app, int& exitCode) {
       *command, "language", arguments->language,
       {{"bt", Language::BehaviorTree}, {"gen", Language::Components}, {"rl", Language::Skillsets}},
       "bt: XML of BehaviorTree.CPP v4; gen: components of GenoM3; rl: skillsets of "
-      "the robot language")
+      "the robot language, and composites of skills (.rlc)")
       ->required();
   command->add_option("file", arguments->file, "File to import, with what it includes")->required();
   show(command->add_option("-o,--output", arguments->output,

@@ -254,13 +254,13 @@ argument, ask for them.  A run that this has started before is ended."
 (defun proskill-import (file)
   "Write FILE, a behavior tree, component or skillset, as a program, and open it.
 The program is written beside FILE.  A file `leaves.json' there gives durations."
-  (interactive "fImport (.xml, .gen, .rl): ")
+  (interactive "fImport (.xml, .gen, .rl, .rlc): ")
   (let* ((file (expand-file-name file))
-         (language (cdr (assoc (file-name-extension file) '(("xml" . "bt") ("gen" . "gen") ("rl" . "rl")))))
+         (language (cdr (assoc (file-name-extension file) '(("xml" . "bt") ("gen" . "gen") ("rl" . "rl") ("rlc" . "rl")))))
          (target (concat (file-name-sans-extension file) ".proskill"))
          (leaves (expand-file-name "leaves.json" (file-name-directory file))))
     (unless language
-      (user-error "Not a behavior tree (.xml), a component (.gen) or a skillset (.rl)"))
+      (user-error "Not a behavior tree (.xml), a component (.gen), a skillset (.rl) or a composite (.rlc)"))
     (when (and (file-exists-p target)
                (not (yes-or-no-p (format "%s exists; replace it? " (file-name-nondirectory target)))))
       (user-error "Nothing was imported"))

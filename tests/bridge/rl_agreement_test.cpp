@@ -72,8 +72,8 @@ void compare(std::uint64_t seed) {
   const auto skillset = randomSkillset(seed);
   const auto read = bridge::rl::read(MemoryFiles({{"s.rl", skillset}}), "s.rl");
   REQUIRE(read);
-  const auto asked = allObservations(read->front());
-  const auto expected = observe(read->front());
+  const auto asked = allObservations(read->skillsets.front());
+  const auto expected = observe(read->skillsets.front());
   const auto text = importedText(skillset);
   const auto found = verified(text, asked);
   INFO("seed " << seed << "\n" << skillset << "\n" << text);

@@ -27,8 +27,12 @@ private:
       reader.oneOrMore([&] { static_cast<void>(type()); });
     else if (reader.takeIf("skillset"))
       skillset();
+    else if (reader.takeIf("def"))
+      parsed.composites.push_back(readComposite(reader, true));
+    else if (reader.takeIf("dec") || reader.takeIf("decl"))
+      parsed.composites.push_back(readComposite(reader, false));
     else
-      reader.fail("`type`, `include` or `skillset`");
+      reader.fail("`type`, `include`, `skillset` or `def`");
   }
 
   void skillset() {

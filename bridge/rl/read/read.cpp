@@ -6,18 +6,19 @@
 
 namespace proskill::bridge::rl {
 
-std::expected<std::vector<Skillset>, Errors> read(const analysis::FileSystem& files,
-                                                  const std::filesystem::path& root) {
-  std::vector<Skillset> skillsets;
+std::expected<Parsed, Errors> read(const analysis::FileSystem& files,
+                                   const std::filesystem::path& root) {
+  Parsed all;
   FileReader reader(files, parse, [&](const Parsed& parsed) {
-    std::ranges::copy(parsed.skillsets, std::back_inserter(skillsets));
+    std::ranges::copy(parsed.skillsets, std::back_inserter(all.skillsets));
+    std::ranges::copy(parsed.composites, std::back_inserter(all.composites));
   });
   reader.root(root);
   for (auto& [message, place] : reader.missing) reader.errors.push_back({place, message});
-  if (skillsets.empty() && reader.errors.empty())
+  if (all.skillsets.empty() && all.composites.empty() && reader.errors.empty())
     reader.errors.push_back({{root, 1, 1}, "there is no `skillset`"});
   if (!reader.errors.empty()) return std::unexpected(std::move(reader.errors));
-  return skillsets;
+  return all;
 }
 
 } // namespace proskill::bridge::rl

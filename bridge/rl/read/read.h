@@ -5,8 +5,9 @@
 
 namespace proskill::bridge::rl {
 
-/// The skillsets of a file and of those that it includes; of these first.
-[[nodiscard]] std::expected<std::vector<Skillset>, Errors> read(const analysis::FileSystem& files,
-                                                                const std::filesystem::path& root);
+/// The skillsets and composites of a file and of those that it includes; of these first. They have
+/// no includes.
+[[nodiscard]] std::expected<Parsed, Errors> read(const analysis::FileSystem& files,
+                                                 const std::filesystem::path& root);
 
 } // namespace proskill::bridge::rl

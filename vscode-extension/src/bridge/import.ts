@@ -6,7 +6,7 @@ import type { Client } from '../client';
 import type { Server } from '../find_server';
 
 /** The languages of `proskill import`, by the ends of their files' names. */
-const kLanguages: Record<string, string> = { '.gen': 'gen', '.rl': 'rl', '.xml': 'bt' };
+const kLanguages: Record<string, string> = { '.gen': 'gen', '.rl': 'rl', '.rlc': 'rl', '.xml': 'bt' };
 /** A file beside the imported one, with the durations of what it declares. */
 const kLeaves = 'leaves.json';
 
@@ -41,7 +41,7 @@ export class Imports implements vscode.Disposable, vscode.CodeActionProvider, vs
   async open(uri?: vscode.Uri): Promise<void> {
     const file = uri ?? (await chosen());
     if (!file) return;
-    if (!languageOf(file)) throw new Error(`\`${basename(file.fsPath)}\` is not a behavior tree (.xml), a component (.gen) or a skillset (.rl).`);
+    if (!languageOf(file)) throw new Error(`\`${basename(file.fsPath)}\` is not a behavior tree (.xml), a component (.gen), a skillset (.rl) or a composite of skills (.rlc).`);
     await vscode.workspace.textDocuments.find((it) => it.uri.toString() === file.toString() && it.isDirty)?.save();
     const target = await placeFor(file);
     if (!target) return;

@@ -4,7 +4,7 @@ local message = require('proskill.message')
 
 local M = {}
 
-local languages = { gen = 'gen', rl = 'rl', xml = 'bt' }
+local languages = { gen = 'gen', rl = 'rl', rlc = 'rl', xml = 'bt' }
 
 -- The errors, in the quickfix list.
 local function list(said)
@@ -20,7 +20,7 @@ function M.start(file, replace)
   local language = languages[vim.fn.fnamemodify(file, ':e')]
   local target = vim.fn.fnamemodify(file, ':r') .. '.proskill'
   if not language then
-    return message.error('not a behavior tree (.xml), a component (.gen) or a skillset (.rl)')
+    return message.error('not a behavior tree (.xml), a component (.gen), a skillset (.rl) or a composite (.rlc)')
   elseif vim.fn.filereadable(target) == 1 and not replace then
     return message.error(('%s exists; :ProskillImport! replaces it'):format(vim.fn.fnamemodify(target, ':.')))
   end
