@@ -2,6 +2,7 @@ import * as vscode from 'vscode';
 import { CloseAction, ErrorAction, LanguageClient, State, type LanguageClientOptions, type RequestType } from 'vscode-languageclient/node';
 import { findServer, type Server } from './find_server';
 import { LensCommands } from './lens_commands';
+import { LensRequests } from './lens_requests';
 import * as protocol from './protocol';
 import { Restarts } from './restarts';
 import { initializationOptions } from './settings';
@@ -32,7 +33,8 @@ export class Client implements vscode.Disposable {
   private current: LanguageClient | undefined;
   private begun: Promise<void> | undefined;
   private readonly restarts = new Restarts();
-  private readonly lensCommands = new LensCommands();
+  private readonly lensRequests = new LensRequests();
+  private readonly lensCommands = new LensCommands(this.lensRequests.middleware);
   /** whether the server was started for a trusted workspace */
   private trusted = false;
 
@@ -91,6 +93,7 @@ export class Client implements vscode.Disposable {
     this.begun = client.start();
     try {
       await this.begun;
+      this.lensRequests.watch((document) => client.getFeature('textDocument/codeLens').getProvider(document));
     } catch (error) {
       this.output.error(`the server could not be started: ${String(error)}`);
       this.ended(client);
@@ -177,6 +180,7 @@ export class Client implements vscode.Disposable {
   dispose(): void {
     void this.stop();
     this.lensCommands.dispose();
+    this.lensRequests.dispose();
     this.output.dispose();
   }
 

@@ -15,7 +15,7 @@ export class LensCommands implements vscode.Disposable {
 
   readonly middleware: Middleware = {
     provideCodeLenses: async (document, token, next) => {
-      const lenses = await next(document, token);
+      const lenses = await this.request(document, token, next);
       for (const lens of lenses ?? []) this.replace(lens, lens.command?.arguments);
       this.forget();
       return lenses;
@@ -27,6 +27,9 @@ export class LensCommands implements vscode.Disposable {
       return resolved;
     },
   };
+
+  /** \param request passes requests on */
+  constructor(private readonly request: NonNullable<Middleware['provideCodeLenses']>) {}
 
   dispose(): void {
     for (const { registered } of this.known.values()) registered.dispose();

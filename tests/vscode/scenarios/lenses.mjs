@@ -1,6 +1,14 @@
 // Lenses that were out of view while the server listed them again.
+import { rmSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import { equal, expect } from '../expect.mjs';
 
+/** With an error: nothing is verified, so no verdict brings new lenses. */
+const kUsed = `(defsv lamp :states (On Off) :init Off :transitions :all)
+(defproperty dark (always (lamp Off)))
+(defproperty light (always (lamp On)))
+(defproperty wrong)
+`;
 const kFile = 'drone/drone.proskill';
 const kText = `.monaco-editor[data-uri$="${kFile}"]`;
 
@@ -54,5 +62,30 @@ export const scenarios = {
     }
     await editor.command('File: Revert File');
     await editor.closeAll();
+  },
+
+  /**
+   * The focus leaves the text right after an edit, and right after the text was opened. VS Code then drops the request for lenses that it was about to
+   * make.
+   */
+  async dropped_lenses({ editor, page, root }) {
+    const path = join(root, 'lift/left.proskill');
+    writeFileSync(path, kUsed);
+    await editor.closeAll();
+    await editor.openFile('lift/left.proskill');
+    const lens = (text) => page.locator('.monaco-editor[data-uri$="left.proskill"] .codelens-decoration a', { hasText: text }).first();
+    await lens(/^2 references$/).waitFor();
+    await lens(/verify/).waitFor();
+    await editor.goTo(kUsed.split('\n').length);
+    await page.keyboard.insertText('(defproperty more (always (lamp Off)))');
+    await editor.press('Control+Shift+M');
+    await lens(/^3 references$/).waitFor();
+    await editor.press('Control+j'); // hides the problems
+    await page.locator('.markers-panel-container, .markers-panel').first().waitFor({ state: 'hidden' });
+    await editor.press('Control+1');
+    await editor.command('File: Revert File');
+    await lens(/^2 references$/).waitFor();
+    await editor.command('View: Close Editor');
+    rmSync(path);
   },
 };
