@@ -33,6 +33,38 @@ const themes = {
   'forced colours': async (it) => it.emulateMedia({ forcedColors: 'active' }),
 };
 
+/** The least contrast between text of dimmed steps and its ground. */
+const contrastOfDimmed = () => {
+  const channels = (colour) => colour.match(/[\d.]+/g).slice(0, 3).map(Number);
+  const luminance = (rgb) => rgb.map((it) => it / 255).map((it) => (it <= 0.04045 ? it / 12.92 : ((it + 0.055) / 1.055) ** 2.4))
+    .reduce((sum, it, i) => sum + it * [0.2126, 0.7152, 0.0722][i], 0);
+  const ground = channels(getComputedStyle(document.body).backgroundColor);
+  return Math.min(...[...document.querySelectorAll('.row.aside:not(.current, .of-current) > *')].map((it) => {
+    const { color, opacity } = getComputedStyle(it);
+    const seen = channels(color).map((channel, i) => Number(opacity) * channel + (1 - Number(opacity)) * ground[i]);
+    const [low, high] = [luminance(seen), luminance(ground)].sort((a, b) => a - b);
+    return (high + 0.05) / (low + 0.05);
+  }));
+};
+
+test('dimmed steps can be read in high contrast', async () => {
+  const files = workspace();
+  const served = await view(join(files.path, 'drone/drone.proskill'));
+  const it = await page();
+  await openTrace(it, served.url);
+  await it.locator('.verdict', { hasText: 'takes at least 60' }).first().click();
+  await it.locator('.steps').press('Home');
+  await it.locator('.row.aside').first().waitFor();
+  await themes['high contrast'](it);
+  for (const colorScheme of ['light', 'dark']) {
+    await it.emulateMedia({ colorScheme });
+    const contrast = await it.evaluate(contrastOfDimmed);
+    assert.ok(contrast >= 4.5, `${contrast} in ${colorScheme}`);
+  }
+  assert.equal(await served.end(), 0);
+  files.remove();
+});
+
 test('a skill has the same colour in steps, lanes and automata, in light, dark and high contrast', async () => {
   const files = workspace();
   const served = await view(join(files.path, 'rover/bug.proskill'));
