@@ -282,13 +282,19 @@ std::optional<View> Snapshot::viewIn(const fs::path& root, const fs::path& file)
 
 void Snapshot::eachView(const fs::path& file, const std::function<void(const View&)>& visit) const {
   bool any = false;
-  for (const auto& root : graph->rootsOf(file))
+  for (const auto& root : rootsOf(file))
     if (const auto found = viewIn(root, file)) {
       any = true;
       visit(*found);
     }
   // the apparent includers do not include it, because of links or depth: it is its own root
   if (!any) visit({program(file), 0});
+}
+
+std::vector<fs::path> Snapshot::rootsOf(const fs::path& file) const {
+  auto roots = graph->rootsOf(file);
+  std::ranges::stable_partition(roots, [this](const auto& root) { return texts.contains(root); });
+  return roots;
 }
 
 std::vector<View> Snapshot::views(const fs::path& file) const {
@@ -299,14 +305,14 @@ std::vector<View> Snapshot::views(const fs::path& file) const {
 
 bool Snapshot::isLookedAt(const AnalysedProgram& analysed) const {
   lookedAtOnce([this] {
-    for (const auto& [path, text] : texts) lookedAt.insert(graph->rootsOf(path).front().native());
+    for (const auto& [path, text] : texts) lookedAt.insert(rootsOf(path).front().native());
   });
   return lookedAt.contains(analysed.program.files.front().path.native());
 }
 
 /// Views the file in one program. There may be hundreds of others, which are ignored.
 View Snapshot::view(const fs::path& file) const {
-  for (const auto& root : graph->rootsOf(file))
+  for (const auto& root : rootsOf(file))
     if (auto found = viewIn(root, file)) return std::move(*found);
   return {program(file), 0};
 }

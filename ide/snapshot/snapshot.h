@@ -176,8 +176,8 @@ public:
   }
   /// The files that are roots of programs.
   [[nodiscard]] std::vector<std::filesystem::path> roots() const { return graph->roots(); }
-  /// The file in each program that contains it, one view per root. A file that nothing includes is
-  /// its own root.
+  /// The file in each program that contains it, one view per root. Programs whose roots are open
+  /// come first. A file that nothing includes is its own root.
   [[nodiscard]] std::vector<View> views(const std::filesystem::path& file) const;
   /// The same, one after the other, so that hundreds of programs need not be in memory together.
   void eachView(const std::filesystem::path& file,
@@ -194,6 +194,8 @@ private:
     std::shared_ptr<const AnalysedProgram> program;
     std::shared_ptr<const AnalysedProgram> earlier; ///< until it is analysed; may be null
   };
+  /// The roots of the programs that contain the file; those that are open come first.
+  [[nodiscard]] std::vector<std::filesystem::path> rootsOf(const std::filesystem::path& file) const;
   using Entries = std::unordered_map<std::string, std::shared_ptr<Entry>>;
   /// Programs without open files. Edits do not affect them. There may be many in a large workspace;
   /// the most recently used are kept.

@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <map>
 
 using namespace proskill;
 using Snapshot = std::shared_ptr<const ide::Snapshot>;
@@ -316,4 +317,31 @@ TEST_CASE("a feature looks at one program of a file that many include, not at al
   CHECK(analysed == std::vector<std::filesystem::path>{"/w/a.proskill"});
   CHECK(snapshot.views("/w/base.proskill").size() == 2);
   CHECK(analysed.size() == 2);
+}
+
+TEST_CASE("a file of several programs is viewed in one whose root is open") {
+  const std::string include = "(include \"use.proskill\")\n";
+  const std::map<std::string, std::string> files{
+      {"/w/use.proskill", "(defevent e :effects (lamp On))\n"},
+      {"/w/a.proskill", include + "(defsv lamp :states (On Off) :init Off)\n"},
+      {"/w/b.proskill", include + "(defsv lamp :states (On Off) :init On)\n"}};
+  const auto disk = std::make_shared<test::MemoryFiles>(files);
+  ide::OpenTexts all;
+  for (const auto& [path, text] : files)
+    all[path] = {"file://" + path, 1, syntax::Document::parse(text)};
+  const auto graph = ide::graphOf(*disk, all);
+  auto rootWith = [&](const std::vector<std::string>& open) {
+    ide::OpenTexts texts;
+    for (const auto& path : open) texts[path] = all.at(path);
+    const ide::Snapshot snapshot(disk, std::move(texts), graph);
+    const auto views = snapshot.views("/w/use.proskill");
+    REQUIRE(views.size() == 2);
+    const auto first = views.front().program().files.front().path;
+    CHECK(snapshot.view("/w/use.proskill").program().files.front().path == first);
+    CHECK(snapshot.isLookedAt(*views.front().owner));
+    return first.string();
+  };
+  CHECK(rootWith({"/w/use.proskill"}) == "/w/a.proskill");
+  CHECK(rootWith({"/w/use.proskill", "/w/b.proskill"}) == "/w/b.proskill");
+  CHECK(rootWith({"/w/use.proskill", "/w/a.proskill", "/w/b.proskill"}) == "/w/a.proskill");
 }

@@ -28,12 +28,13 @@ export class Programs implements vscode.Disposable {
     return this.known.get(program);
   }
 
-  /** The programs of a file; those that are not verified come last. */
+  /** The programs of a file, in the order of the server: open ones first, then by name. Those that are not verified come last. */
   of(uri: vscode.Uri): protocol.Verdicts[] {
     const text = uri.toString();
     const found = this.all().filter((program) =>
       [program.program, ...program.texts.map((it) => it.uri)].some((it) => vscode.Uri.parse(it).toString() === text));
-    return found.sort((left, right) => Number(left.state === 'off') - Number(right.state === 'off'));
+    const rank = (it: protocol.Verdicts): number => (it.state === 'off' ? 2 : isOpen(it.program) ? 0 : 1);
+    return found.sort((left, right) => rank(left) - rank(right) || (pathOf(left.program) < pathOf(right.program) ? -1 : 1));
   }
 
   /** Resolves when no verification of the text's programs is running, or after the time limit. */
@@ -71,4 +72,10 @@ export class Programs implements vscode.Disposable {
   private forget(): void {
     this.known.clear();
   }
+}
+
+const pathOf = (uri: string): string => vscode.Uri.parse(uri).path;
+
+function isOpen(program: string): boolean {
+  return vscode.workspace.textDocuments.some(({ uri }) => uri.toString() === vscode.Uri.parse(program).toString());
 }
