@@ -1,6 +1,7 @@
 import * as vscode from 'vscode';
 import type { Client, Life } from './client';
 import { inWords } from './findings';
+import { isVerified } from './places';
 import type { Programs } from './programs';
 import type { Verdicts } from './protocol';
 
@@ -102,9 +103,10 @@ export class Status implements vscode.Disposable {
     const active = vscode.window.activeTextEditor?.document;
     const text = active ?? vscode.window.visibleTextEditors.find(({ document }) => document.uri.toString() === this.last)?.document;
     if (text) this.last = text.uri.toString();
-    const here = text?.languageId === 'proskill' ? this.programs.of(text.uri) : [];
+    // one that the server does not know yet has no verdicts, and those of another would mislead
+    if (text && isVerified(text)) return this.programs.of(text.uri)[0];
     const open = this.programs.all().filter((program) => program.state !== 'off');
-    return here[0] ?? (open.length === 1 ? open[0] : undefined);
+    return open.length === 1 ? open[0] : undefined;
   }
 
   private about(): string[] {

@@ -1,5 +1,5 @@
 // What happens around a program on the second day: half-written text, quick steps, moved panels, renamed files, other branches.
-import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
+import { copyFileSync, mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { equal, expect } from '../expect.mjs';
 import { expand, row } from './verification.mjs';
@@ -52,6 +52,13 @@ const kText = `(include "parts.proskill")
 (defproperty ${kProperty} (always (>= battery 1)))
 `;
 const kLine = kText.split('\n').findIndex((line) => line.includes('(defskill survey')) + 1;
+
+/** Notes what the status bar shows of programs. */
+const watchStatus = () => {
+  window.statusTexts = [];
+  const note = () => window.statusTexts.push(document.querySelector('[id$="proskill.status"]').textContent);
+  new MutationObserver(note).observe(document.querySelector('.statusbar').parentElement, { subtree: true, childList: true, characterData: true });
+};
 
 const program = (page, name) => row(page, `${name} (`).first();
 const current = (frame) => frame.locator('.step.current').first();
@@ -202,6 +209,28 @@ export const scenarios = {
     await editor.picture('renamed_program-step');
     await editor.closeAll();
     rmSync(join(world.root, kFolder, 'moon.proskill'));
+  },
+
+  /** A program without verdicts is not shown with the counts of another one; a part of two programs is shown with those of the one that is open. */
+  async whose_verdicts({ editor, page, root, tree }) {
+    await editor.closeAll();
+    mkdirSync(join(root, kFolder), { recursive: true });
+    writeFileSync(join(root, kFolder, 'parts.proskill'), kParts);
+    writeFileSync(join(root, kFolder, 'bad.proskill'), kText);
+    writeFileSync(join(root, kFolder, 'good.proskill'), kText.replace('(>= battery 1)', '(>= battery 0)'));
+    await editor.openFile(`${kFolder}/bad.proskill`);
+    await editor.statusSays(/1 bad/, 60_000);
+    copyFileSync(join(tree, 'bench/missions/warehouse_fleet.proskill'), join(root, kFolder, 'slow.proskill'));
+    await page.evaluate(watchStatus);
+    await editor.openFile(`${kFolder}/slow.proskill`);
+    await expect('no counts until there are some', async () => (await page.evaluate(() => window.statusTexts)).some((text) => text.trim() === 'ProSkill'));
+    await editor.closeAll();
+    await editor.openFile(`${kFolder}/good.proskill`);
+    await editor.statusSays(/warning|good/, 60_000);
+    await editor.openFile(`${kFolder}/parts.proskill`);
+    await editor.statusSays(/ProSkill: (\d+ warnings?|\d+ of \d+ good)$/, 60_000);
+    await editor.closeAll();
+    for (const name of ['bad', 'good', 'slow']) rmSync(join(root, kFolder, `${name}.proskill`));
   },
 
   /** A branch brings a folder with a program, and another takes it away. Nobody opens or refreshes anything. */
