@@ -102,8 +102,10 @@ void Server::handleWatchedFiles(const Json& params) {
 /// What programs read has changed: files on the disk, or the open texts of platform files.
 void Server::filesChanged(const std::vector<Path>& paths, const ide::Snapshot& before) {
   textsChanged();
-  for (const auto& path : paths) {
-    const auto file = before.nameOf(path);
+  std::vector<Path> files;
+  for (const auto& path : paths) files.push_back(before.nameOf(path));
+  verification.filesChanged(files);
+  for (const auto& file : files) {
     if (before.open().contains(file)) continue;
     refresher.findingsChanged(debounce());
     refresher.changed(file, before, debounce());

@@ -35,6 +35,10 @@ std::map<std::filesystem::path, std::int64_t> versionsOf(const analysis::Program
   return versions;
 }
 
+bool contains(const analysis::Program& program, const std::filesystem::path& file) {
+  return std::ranges::find(program.files, file, &analysis::File::path) != program.files.end();
+}
+
 constexpr std::string_view kUntrusted =
     "the workspace is not trusted: nothing is verified, only static checks run";
 
@@ -80,11 +84,21 @@ void Verification::textsChanged(std::shared_ptr<const ide::Snapshot> now,
     if (inView) view(*inView);
     edited = true;
     due = std::chrono::steady_clock::now() + delayAfter(settings, took);
-    if (inBackground ||
-        (runningOn && hasChanged(runningOn->program, runningVersions, snapshot->open())))
-      running.cancel();
+    const bool isUseless =
+        runningOn &&
+        (hasChanged(runningOn->program, runningVersions, snapshot->open()) ||
+         (inView && snapshot->open().contains(*inView) && !contains(runningOn->program, *inView)));
+    if (inBackground || isUseless) running.cancel();
   }
   wake.notify_all();
+}
+
+void Verification::filesChanged(const std::vector<std::filesystem::path>& files) {
+  const std::lock_guard lock(mutex);
+  const bool isConcerned = !runningOn || std::ranges::any_of(files, [&](const auto& file) {
+    return contains(runningOn->program, file);
+  });
+  if (isConcerned) running.cancel();
 }
 
 void Verification::setView(const std::filesystem::path& path, std::optional<Lines> lines) {

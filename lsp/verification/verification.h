@@ -36,6 +36,9 @@ public:
   /// Call this after every edit. \param inView the text that was edited or opened, if any
   void textsChanged(std::shared_ptr<const ide::Snapshot> snapshot,
                     const std::optional<std::filesystem::path>& inView);
+  /// Call this after `textsChanged` if files have changed on the disk: a verification of what they
+  /// were is useless.
+  void filesChanged(const std::vector<std::filesystem::path>& files);
   /// The text that the user looks at, reported by the client. Lines from 0; the last one is
   /// included.
   struct Lines {

@@ -4,12 +4,29 @@
 #include "tests/support/run.h"
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 
 namespace proskill::test::live_verification_test {
 
 using namespace lamp;
+
+namespace {
+
+/// A program of 100^12 states.
+std::string largeText() {
+  constexpr int kCounters = 12;
+  std::string text = "(defproperty near (always (<= x0 (+ x1 51))))\n";
+  for (int i = 0; i < kCounters; ++i)
+    text += fmt::format("(defsv x{0} :min 0 :max 99 :init 0)\n"
+                        "(defevent up{0} :guard (& (< x{0} 99) (<= x{0} (+ x{1} 50))) :effects "
+                        "(x{0} (+ x{0} 1)))\n",
+                        i, (i + 1) % kCounters);
+  return text;
+}
+
+} // namespace
 
 TEST_CASE("the program in view is verified, and its verdicts are diagnostics") {
   Session::Options options;
@@ -52,6 +69,22 @@ TEST_CASE("the programs of all texts that were opened are verified, that in view
       done.push_back(program);
   }
   CHECK(done == std::vector<std::string>{other, kMain});
+}
+
+TEST_CASE("a program that is opened does not wait for one that is no longer in view") {
+  Session::Options options;
+  options.initializationOptions = kLive;
+  options.initializationOptions["verify"]["seconds"] = 20;
+  Session session(options);
+  session.initialize();
+  session.open(kMain, largeText());
+  verdictsIn(session, "checking");
+  const std::string other = "file:///w/other.proskill";
+  session.open(other, "(defsv door :states (Open Closed) :init Open)\n"
+                      "(defevent close :effects (door Closed))\n");
+  Json news;
+  while (news["state"] != "done") news = session.notified("proskill/verdicts");
+  CHECK(news["program"] == other); // otherwise the first verification has reached its limit
 }
 
 TEST_CASE("a request for one property leaves the others to live verification") {
@@ -232,6 +265,28 @@ TEST_CASE("a program whose first file is gone has no verdicts, though a part of 
   session.notify("workspace/didChangeWatchedFiles",
                  {{"changes", Json::array({{{"uri", uri}, {"type", 3}}})}});
   CHECK(verdictsIn(session, "off", uri)["message"] == "the file does not exist any more");
+}
+
+TEST_CASE("a verification ends when a file of the program, though not open, disappears") {
+  const TemporaryDirectory folder;
+  const auto part = folder.write("part.proskill", largeText());
+  const auto root = folder.write("main.proskill", "(include \"part.proskill\")\n");
+  Session::Options options;
+  options.initializationOptions = kLive;
+  options.initializationOptions["verify"]["seconds"] = 20;
+  options.disk = std::make_shared<disk::DiskFileSystem>();
+  Session session(options);
+  session.initialize();
+  const auto uri = report::toUri(root);
+  session.open(uri, "(include \"part.proskill\")\n");
+  verdictsIn(session, "checking", uri);
+  std::filesystem::remove(part);
+  session.notify("workspace/didChangeWatchedFiles",
+                 {{"changes", Json::array({{{"uri", report::toUri(part)}, {"type", 3}}})}});
+  std::string state = "checking";
+  while (state == "checking" || state == "waiting")
+    state = session.notified("proskill/verdicts")["state"].get<std::string>();
+  CHECK(state == "errors"); // otherwise the verification has reached its limit
 }
 
 } // namespace proskill::test::live_verification_test
