@@ -79,10 +79,14 @@ void Verification::answerKnown(std::size_t index, Answer made, const KnownAnswer
   result.exploration.known = known.size();
 }
 
+bool Verification::wantsTrace(std::size_t index) const {
+  return !options.wantsTrace || options.wantsTrace(index);
+}
+
 std::expected<Answer, std::string> Verification::shown(std::size_t index, const Goal& goal,
                                                        const Evidence& evidence,
                                                        const Witness& witness) const {
-  return witness.answer(goal, evidence, !options.wantsTrace || options.wantsTrace(index));
+  return witness.answer(goal, evidence, wantsTrace(index));
 }
 
 /// \param shows the goal that the run of the evidence reaches; nothing if there is no run

@@ -103,11 +103,12 @@ bool Verification::answersAny(const Stage& stage, const std::vector<std::size_t>
       !slicesAreDone && stage.slices.classes > 0 && exploreSlices(which, stage.slices);
   const bool isRefined = refine(which, stage.refined);
   exploreRuns(stage);
+  const bool isSampled = sampleRuns(which, stage);
   const bool isNew = exploreNewest(which, stage.newest);
   const bool isLed = exploreLed(which, stage.led, stage.ledEach);
   const bool byWalks = exploreByWalks(which, stage.walks);
   if (byWalks) exploreLed(which, stage.led, stage.ledEach); // fewer are left, so each gets more
-  return bySlices || isRefined || isNew || isLed || byWalks;
+  return bySlices || isRefined || isSampled || isNew || isLed || byWalks;
 }
 
 std::optional<Unsupported> Verification::stopDecided() {
@@ -231,58 +232,6 @@ bool Verification::isAnyDecided(const auto& decide) {
   });
   result.exploration.sliced += decided.count();
   return !decided.empty();
-}
-
-/// Looks for goals that lie deep, by a short search for each question, states closest to the goal
-/// first. \return whether any of the questions was answered
-/// \param most number of classes of all searches together
-/// \param each the fewest classes of one
-bool Verification::exploreLed(const std::vector<std::size_t>& which, std::uint64_t most,
-                              std::uint64_t each) {
-  const auto before = answered.size();
-  const auto left = leadable(which);
-  if (left.empty() || left.size() * whole.transitions.size() > kMostLedWork) return false;
-  const auto share = most / left.size();
-  if (share == 0 || share < each) return false;
-  for (auto i : left) exploreWhole({i}, {.at = {share}, .next = {}}, Order::Led);
-  return answered.size() > before;
-}
-
-/// Looks for all goals at once, new states first. \return whether any of the questions was answered
-/// \param most number of classes after which it ends, unless some of them have led to an answer
-bool Verification::exploreNewest(const std::vector<std::size_t>& which, std::uint64_t most) {
-  const auto before = answered.size();
-  std::vector<std::size_t> left;
-  for (auto i : which)
-    if (!answered.contains(i) && Slicer::canDecide(compiled.goals[i])) left.push_back(i);
-  if (left.empty() || most == 0) return false;
-  auto last = before;
-  std::uint64_t until = most;
-  const auto next = [&]() -> std::optional<SearchSize> {
-    if (answered.size() == std::exchange(last, answered.size())) return std::nullopt;
-    return SearchSize{.classes = until += most};
-  };
-  exploreWhole(left, {.at = {most}, .next = next}, Order::Newest);
-  return answered.size() > before;
-}
-
-/// Looks for all goals at once, wherever random walks lead. \return whether any of the questions
-/// was answered
-/// \param most number of classes
-bool Verification::exploreByWalks(const std::vector<std::size_t>& which, std::uint64_t most) {
-  const auto before = answered.size();
-  const auto left = leadable(which);
-  if (left.empty() || most == 0) return false;
-  exploreWhole(left, {.at = {most}, .next = {}}, Order::Walks);
-  return answered.size() > before;
-}
-
-/// The open questions among these to which a search can be led.
-std::vector<std::size_t> Verification::leadable(const std::vector<std::size_t>& which) const {
-  std::vector<std::size_t> left;
-  for (auto i : which)
-    if (!answered.contains(i) && GoalDistance::isFor(compiled.goals[i])) left.push_back(i);
-  return left;
 }
 
 bool Verification::isShownBySlice(std::size_t index, const Evidence* evidence,

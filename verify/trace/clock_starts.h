@@ -11,7 +11,7 @@ namespace proskill::verify {
 class ClockStarts {
 public:
   explicit ClockStarts(const System& of)
-      : system(of), since(of.clocks.size()), ranAt(of.clocks.size()) {}
+      : system(&of), since(of.clocks.size()), ranAt(of.clocks.size()) {}
 
   [[nodiscard]] std::size_t of(ClockId clock) const { return since[clock]; }
 
@@ -23,18 +23,18 @@ public:
                std::size_t taken) {
     const auto eachClock = [&](const TransitionSet& enabled, auto visit) {
       eachIn(enabled, [&](TransitionId id) {
-        if (const auto clock = system.transitions[id].clock; clock != kNone) visit(clock);
+        if (const auto clock = system->transitions[id].clock; clock != kNone) visit(clock);
       });
     };
     ++calls;
     eachClock(before, [&](ClockId clock) { ranAt[clock] = calls; });
     eachClock(after, [&](ClockId clock) {
-      if (ranAt[clock] != calls || resets(system, step, clock)) since[clock] = taken;
+      if (ranAt[clock] != calls || resets(*system, step, clock)) since[clock] = taken;
     });
   }
 
 private:
-  const System& system;
+  const System* system;
   std::vector<std::size_t> since; ///< by running clock
   /// By clock: the last call in which it was running before the step.
   std::vector<std::size_t> ranAt;
