@@ -19,7 +19,7 @@ std::vector<Stage> stagesOf(const Options& options) {
           {.at = {30 * size},
            .slices = SearchSize{},
            .refined = {.together = 200 * unit, .each = 4 * unit},
-           .sampled = 4 * led,
+           .sampled = std::min(120 * size, 4 * led),
            .samplesTraces = true,
            .newest = led,
            .led = led,
@@ -27,7 +27,7 @@ std::vector<Stage> stagesOf(const Options& options) {
            .walks = led},
           {.at = {200 * size},
            .refined = {.together = 2'000 * unit, .each = 60 * unit},
-           .sampled = 10 * led,
+           .sampled = std::min(300 * size, 10 * led),
            .samplesTraces = true,
            .led = 10 * led,
            .ledEach = 2 * led}};

@@ -13,12 +13,19 @@ namespace proskill::verify {
 
 namespace {
 
-constexpr std::size_t kLongestRun = 600;         ///< steps from where it begins
-constexpr std::uint32_t kMostRepeated = 16;      ///< states in a row; then a run is idle
-constexpr std::size_t kVisited = 1'024;          ///< a power of two
-constexpr std::size_t kMostFruitful = 16;        ///< odds
-constexpr std::size_t kMostDiscoveries = 20'000; ///< a few kB each
+constexpr std::size_t kLongestRun = 600;    ///< steps from where it begins
+constexpr std::uint32_t kMostRepeated = 16; ///< states in a row; then a run is idle
+constexpr std::size_t kVisited = 1'024;     ///< a power of two
+constexpr std::size_t kMostFruitful = 16;   ///< odds
+constexpr std::size_t kMostDiscoveries = 20'000;
+constexpr std::size_t kMostBytes = std::size_t{32} << 20; ///< of discoveries
 constexpr std::size_t kStart = SIZE_MAX;
+
+/// Bytes of a moment, roughly.
+std::size_t bytesOf(const RunMoment& moment, const System& system) {
+  return sizeof(Word) * (moment.state.size() + moment.enabled.size()) +
+         2 * sizeof(std::size_t) * system.clocks.size();
+}
 
 } // namespace
 
@@ -35,6 +42,7 @@ RandomRuns::RandomRuns(const System& of, const Enabling& with, const std::vector
   std::int64_t longest = 1;
   for (const auto& it : of.transitions)
     longest = std::max({longest, it.interval.lower, it.interval.upper.value_or(0)});
+  mostDiscoveries = std::min(kMostDiscoveries, kMostBytes / bytesOf(start, of));
   longestTime = static_cast<double>(longest) * ChanceRun::kTicks;
 }
 
@@ -86,7 +94,7 @@ void RandomRuns::note(TransitionId step) {
   if (kind == NewValues::Kind::None) return;
   if (kind == NewValues::Kind::Value) foundNew = true;
   if (from != kStart) discoveries[from].uses /= 2;
-  if (discoveries.size() < kMostDiscoveries) discoveries.push_back(discovery());
+  if (discoveries.size() < mostDiscoveries) discoveries.push_back(discovery());
 }
 
 const RunMoment& RandomRuns::beginning() const {

@@ -72,6 +72,7 @@ private:
   ChanceRun::Random random;
   double longestTime = 1; ///< the largest bound of an interval, in ticks
 
+  std::size_t mostDiscoveries = 0;
   std::vector<Discovery> discoveries;
   std::vector<Odds> fruitful; ///< those of runs that found something new
   // the current run
