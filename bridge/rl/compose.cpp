@@ -1,5 +1,7 @@
 #include "bridge/rl/compose.h"
 
+#include "graph/components.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -271,10 +273,21 @@ public:
     to.skills.push_back(std::move(form));
   }
 
-  /// ProSkill has no recursion.
+  /// ProSkill has no recursion. The first composite of a cycle is reported.
   void checkCycles(const std::vector<Composite>& all) {
-    for (const auto& composite : all)
-      if (composite.body) visit(composite);
+    std::vector<std::vector<graph::Node>> callees(all.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (all[i].body) addCallees(*all[i].body, all, callees[i]);
+    const auto cycles = graph::componentsOf(all.size(), [&](graph::Node caller, std::size_t i) {
+      return i < callees[caller].size() ? callees[caller][i] : graph::kNoNode;
+    });
+    std::set<graph::Node> reported;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const bool isInCycle = std::ranges::any_of(
+          callees[i], [&](graph::Node callee) { return cycles[callee] == cycles[i]; });
+      if (isInCycle && reported.insert(cycles[i]).second)
+        fail(all[i].name, fmt::format("`{}` calls itself", all[i].name.text));
+    }
   }
 
   /// Calls what has parameters and is not called.
@@ -332,29 +345,20 @@ private:
     append(form.parts, {":action", command, ":success", "done", ":failure", "failed"});
   }
 
-  void visit(const Composite& composite) {
-    auto& state = visited[&composite];
-    if (state == Visit::Done) return;
-    if (state == Visit::Open)
-      return fail(composite.name, fmt::format("`{}` calls itself", composite.name.text));
-    state = Visit::Open;
-    follow(*composite.body);
-    visited[&composite] = Visit::Done;
-  }
-
-  void follow(const Term& term) {
+  void addCallees(const Term& term, const std::vector<Composite>& all,
+                  std::vector<graph::Node>& callees) {
     const auto found = term.kind == TermKind::Call ? known.find(term.name.text) : known.end();
-    if (found != known.end()) isCalled.insert(term.name.text);
-    if (found != known.end() && found->second.composite->body) visit(*found->second.composite);
-    for (const auto& part : term.parts) follow(part);
+    if (found != known.end()) {
+      isCalled.insert(term.name.text);
+      callees.push_back(static_cast<graph::Node>(found->second.composite - all.data()));
+    }
+    for (const auto& part : term.parts) addCallees(part, all, callees);
   }
 
-  enum class Visit : std::uint8_t { New, Open, Done };
   Translation& to;
   std::set<std::string> skillsets;
   KnownComposites known;
   std::set<std::string> isCalled;
-  std::map<const Composite*, Visit> visited;
 };
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "tests/support/memory_files.h"
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 using namespace proskill;
 using namespace proskill::test;
@@ -140,6 +141,16 @@ TEST_CASE("errors in composites have places") {
         "main.rlc:2:15: after `ros.` comes `publish`, `service` or `action`\n");
   CHECK(errorsIn("def m() { robot.a() > }").starts_with("main.rlc:2:23: "));
   CHECK(errorsIn("def m() { " + std::string(200, '(')).contains("nested too deep"));
+}
+
+TEST_CASE("a long chain of composites is no recursion") {
+  constexpr int kCalls = 50'000;
+  std::string text;
+  for (int i = 0; i < kCalls; ++i) text += fmt::format("def m{}() {{ m{}() }}\n", i, i + 1);
+  CHECK(
+      importedOf(text + fmt::format("def m{}() {{ robot.a() }}", kCalls)).text.contains("m49999"));
+  CHECK(errorsIn(text + fmt::format("def m{}() {{ m0() }}", kCalls)) ==
+        "main.rlc:2:5: `m0` calls itself\n");
 }
 
 TEST_CASE("the summary says that the operators of composites have no published meaning") {
