@@ -28,8 +28,7 @@ std::string whyNoPause(const LiveView::Subject& subject, const proskill_view_opt
   if (!subject.whoGoesOn.empty()) return subject.whoGoesOn;
   if (options.hold) return "";
   return "only runs in simulated time can be paused, and those whose program has a function "
-         "`hold`: "
-         "this one would go on";
+         "`hold`: this one would go on";
 }
 
 Done suits(const LiveView::Subject& subject, const proskill_view_options& options) {
