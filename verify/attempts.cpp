@@ -2,6 +2,8 @@
 #include "verify/sample/shortened.h"
 #include "verify/verification.h"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 /// What else is tried while the search of states is long: random runs, and searches in other
@@ -22,6 +24,14 @@ constexpr std::uint64_t kMostTraced = 50'000;
 
 } // namespace
 
+std::vector<std::size_t> Verification::openAmong(const std::vector<std::size_t>& which,
+                                                 const auto& suits) const {
+  std::vector<std::size_t> open;
+  std::ranges::copy_if(which, std::back_inserter(open),
+                       [&](std::size_t i) { return !answered.contains(i) && suits(i); });
+  return open;
+}
+
 /// Looks for goals that lie deep, by a short search for each question, states closest to the goal
 /// first. \return whether any of the questions was answered
 /// \param most number of classes of all searches together
@@ -40,26 +50,23 @@ bool Verification::exploreLed(const std::vector<std::size_t>& which, std::uint64
 /// Looks for all goals at once by random runs, which have long traces. \return whether any of the
 /// questions was answered
 bool Verification::sampleRuns(const std::vector<std::size_t>& which, const Stage& from) {
-  std::vector<std::size_t> left;
-  for (auto i : which)
-    if (!answered.contains(i) && GoalIndex::isFor(compiled.goals[i]) &&
-        (from.samplesTraces || !wantsTrace(i)))
-      left.push_back(i);
+  const auto left = openAmong(which, [&](std::size_t i) {
+    return GoalIndex::isFor(compiled.goals[i]) && (from.samplesTraces || !wantsTrace(i));
+  });
   if (left.empty() || from.sampled == 0) return false;
-  limits.checkLargeGrowth(2 * Enabling::mostBytes(whole)); // the runs and the witness
   const Witness witness(whole, none, provenance, limits);
-  const Enabling enabling(whole);
   const auto before = answered.size();
   std::uint64_t effort = kMostShortening;
   std::uint64_t traced = 0;
-  RandomRuns(whole, enabling, compiled.goals, left, limits)
+  RandomRuns(whole, witness.enablingOfAll(), compiled.goals, left, limits)
       .search(from.sampled, [&](std::size_t i, const Evidence& evidence) {
         if (!wantsTrace(i)) return isShownBySlice(i, &evidence, witness);
         const auto& goal = compiled.goals[i];
-        if (!witness.refutation(goal, evidence).empty()) return false;
-        const Evidence direct = shortened(whole, goal, evidence, witness, effort);
-        traced += direct.steps.size();
-        return traced <= kMostTraced && isShownBySlice(i, &direct, witness);
+        if (traced > kMostTraced || !witness.refutation(goal, evidence).empty()) return false;
+        const auto shorter = shortened(whole, goal, evidence, witness, effort);
+        traced += shorter.steps.size();
+        answerBy(i, shorter, witness);
+        return true;
       });
   return answered.size() > before;
 }
@@ -68,9 +75,8 @@ bool Verification::sampleRuns(const std::vector<std::size_t>& which, const Stage
 /// \param most number of classes after which it ends, unless some of them have led to an answer
 bool Verification::exploreNewest(const std::vector<std::size_t>& which, std::uint64_t most) {
   const auto before = answered.size();
-  std::vector<std::size_t> left;
-  for (auto i : which)
-    if (!answered.contains(i) && Slicer::canDecide(compiled.goals[i])) left.push_back(i);
+  const auto left =
+      openAmong(which, [&](std::size_t i) { return Slicer::canDecide(compiled.goals[i]); });
   if (left.empty() || most == 0) return false;
   auto last = before;
   std::uint64_t until = most;
@@ -95,10 +101,7 @@ bool Verification::exploreByWalks(const std::vector<std::size_t>& which, std::ui
 
 /// The open questions among these to which a search can be led.
 std::vector<std::size_t> Verification::leadable(const std::vector<std::size_t>& which) const {
-  std::vector<std::size_t> left;
-  for (auto i : which)
-    if (!answered.contains(i) && GoalDistance::isFor(compiled.goals[i])) left.push_back(i);
-  return left;
+  return openAmong(which, [&](std::size_t i) { return GoalDistance::isFor(compiled.goals[i]); });
 }
 
 std::optional<Unsupported> Verification::watch(std::size_t index, const Goal& goal) {

@@ -67,6 +67,8 @@ private:
   Refinement& refinementOfAll();
   [[nodiscard]] bool areErrorsExcluded();
   bool isAnyDecided(const auto& decide);
+  [[nodiscard]] std::vector<std::size_t> openAmong(const std::vector<std::size_t>& which,
+                                                   const auto& suits) const;
   [[nodiscard]] std::vector<std::size_t> leadable(const std::vector<std::size_t>& which) const;
   bool exploreLed(const std::vector<std::size_t>& which, std::uint64_t most, std::uint64_t each);
   bool sampleRuns(const std::vector<std::size_t>& which, const Stage& from);

@@ -26,9 +26,7 @@ bool branches(const Path& path) {
 } // namespace
 
 unsigned ownerOf(const Ranks& ranks, std::span<const Word> marking) {
-  std::uint64_t hash = 0;
-  for (const auto word : marking) hash = mix(hash, word);
-  hash = mix(hash, hash >> 32);
+  const std::uint64_t hash = hashOfWords(marking);
   return static_cast<unsigned>((hash >> 32) * ranks.count() >> 32);
 }
 

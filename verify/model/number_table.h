@@ -3,6 +3,7 @@
 #include "verify/model/system.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 /// Hash tables that give each item a number once. The items are kept elsewhere.
@@ -11,6 +12,13 @@ namespace proskill::verify {
 [[nodiscard]] inline std::uint64_t mix(std::uint64_t hash, std::uint64_t word) {
   hash = (hash ^ word) * 0x9E3779B97F4A7C15ULL;
   return hash ^ (hash >> 29);
+}
+
+/// The hash of some words. \param seed what else it depends on
+[[nodiscard]] inline std::uint64_t hashOfWords(std::span<const Word> words,
+                                               std::uint64_t seed = 0) {
+  for (const auto word : words) seed = mix(seed, word);
+  return mix(seed, seed >> 32);
 }
 
 /// Growing tables are checked against the limits at least every so many insertions.

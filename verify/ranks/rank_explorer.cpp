@@ -102,9 +102,7 @@ void RankExplorer::store(NodePlace from) {
 }
 
 unsigned RankExplorer::ownerOf(const Word* state) const {
-  std::uint64_t hash = 0;
-  for (std::uint32_t i = 0; i < system.storedWords; ++i) hash = mix(hash, state[i]);
-  hash = mix(hash, hash >> 32);
+  const std::uint64_t hash = hashOfWords({state, system.storedWords});
   return static_cast<unsigned>((hash >> 32) * ranks.count() >> 32);
 }
 

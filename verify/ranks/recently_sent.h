@@ -32,9 +32,7 @@ private:
   static constexpr std::size_t kSlots = std::size_t{1} << 15;
 
   [[nodiscard]] std::size_t slotOf(const Word* state, ZoneId zone) const {
-    std::uint64_t hash = zone;
-    for (std::uint32_t i = 0; i < words; ++i) hash = mix(hash, state[i]);
-    return mix(hash, hash >> 32) % kSlots;
+    return hashOfWords({state, words}, zone) % kSlots;
   }
 
   std::uint32_t words;

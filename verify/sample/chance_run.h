@@ -38,7 +38,6 @@ public:
   /// \pre the arguments outlive this, and the system has no priorities
   ChanceRun(const System& of, const Enabling& with);
 
-  [[nodiscard]] RunMoment start() const;
   /// Goes on from another moment.
   void goTo(const RunMoment& moment) { at = moment; }
   [[nodiscard]] const RunMoment& moment() const { return at; }
@@ -61,6 +60,7 @@ private:
     double weight = 0;
   };
 
+  [[nodiscard]] RunMoment start() const;
   [[nodiscard]] std::size_t latest() const;
   [[nodiscard]] std::size_t earliest(const Transition& transition) const;
   void drawDates(const Odds& odds, Random& random);

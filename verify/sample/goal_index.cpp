@@ -9,7 +9,12 @@ namespace proskill::verify {
 
 GoalIndex::GoalIndex(const System& of, const std::vector<Goal>& all,
                      const std::vector<std::size_t>& which)
-    : system(of), goals(all), wanted(all.size()), byEvent(of.eventCount), byCell(of.cells.size()) {
+    : system(of),
+      goals(all),
+      wanted(all.size()),
+      byEvent(of.eventCount),
+      byCell(of.cells.size()),
+      byStep(of.transitions.size()) {
   for (auto i : which)
     if (isFor(goals[i])) add(i);
 }
@@ -56,14 +61,15 @@ const std::vector<std::size_t>& GoalIndex::reached(TransitionId step, const Word
 }
 
 const std::vector<std::size_t>& GoalIndex::conditionsAfter(TransitionId step) {
-  const auto [at, isNew] = byStep.try_emplace(step);
-  if (!isNew) return at->second;
+  auto& known = byStep[step];
+  if (known) return *known;
+  known.emplace();
   Bits all;
   system.transitions[step].writes.each([&](CellId cell) {
     for (auto goal : byCell[cell]) all.insert(static_cast<std::uint32_t>(goal));
   });
-  all.each([&](std::uint32_t goal) { at->second.push_back(goal); });
-  return at->second;
+  all.each([&](std::uint32_t goal) { known->push_back(goal); });
+  return *known;
 }
 
 void GoalIndex::look(std::span<const std::size_t> among, const Word* before, const Word* after,

@@ -3,7 +3,7 @@
 #include "verify/model/goals.h"
 
 #include <cstddef>
-#include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -48,7 +48,7 @@ private:
   std::vector<std::size_t> ofEnds;
   std::vector<std::size_t> ofErrors;
   /// By step that was taken: the conditions that read what it writes.
-  std::map<TransitionId, std::vector<std::size_t>> byStep;
+  std::vector<std::optional<std::vector<std::size_t>>> byStep;
   std::vector<std::size_t> found;
 };
 

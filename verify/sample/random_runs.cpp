@@ -13,7 +13,7 @@ namespace proskill::verify {
 
 namespace {
 
-constexpr std::size_t kLongestRun = 600;    ///< steps from where it begins
+constexpr std::size_t kLongestRun = 600;    ///< steps
 constexpr std::uint32_t kMostRepeated = 16; ///< states in a row; then a run is idle
 constexpr std::size_t kVisited = 1'024;     ///< a power of two
 constexpr std::size_t kMostFruitful = 16;   ///< odds
@@ -35,9 +35,9 @@ RandomRuns::RandomRuns(const System& of, const Enabling& with, const std::vector
       limits(watch),
       goals(of, all, which),
       values(of),
-      start(ChanceRun(of, with).moment()),
       chance(of, with),
       direct(of, with),
+      start(chance.moment()),
       visited(kVisited) {
   std::int64_t longest = 1;
   for (const auto& it : of.transitions)
@@ -61,27 +61,28 @@ void RandomRuns::run(const OnFound& onFound) {
 /// Begins where another run found something new, or at the start.
 void RandomRuns::begin() {
   odds = drawOdds();
-  from = discoveries.empty() || random() % 8 == 0 ? kStart : pickDiscovery();
+  from = begun = discoveries.empty() || random() % 8 == 0 ? kStart : pickDiscovery();
   chance.goTo(beginning());
   values.goTo(chance.moment().state.data());
   steps.clear();
+  length = 0;
   std::ranges::fill(visited, 0);
   repeated = 0;
   foundNew = false;
 }
 
 void RandomRuns::walk(const OnFound& onFound) {
-  while (steps.size() < kLongestRun && !isIdle()) {
+  for (; length < kLongestRun && !isIdle(); ++length) {
     limits.check();
     const auto step = chance.step(odds, random);
     ++taken;
     if (!step) break;
     steps.push_back(*step);
-    note(*step);
     const auto& now = chance.moment();
     show(goals.reached(*step, chance.before(), now.state.data(), chance.events(),
                        isEmpty(now.enabled)),
          onFound);
+    note(*step);
   }
   if (!chance.failed()) return;
   steps.push_back(*chance.failed());
@@ -93,24 +94,30 @@ void RandomRuns::note(TransitionId step) {
   const auto kind = values.see(step, chance.moment().state.data());
   if (kind == NewValues::Kind::None) return;
   if (kind == NewValues::Kind::Value) foundNew = true;
-  if (from != kStart) discoveries[from].uses /= 2;
-  if (discoveries.size() < mostDiscoveries) discoveries.push_back(discovery());
+  if (begun != kStart) discoveries[begun].uses /= 2;
+  if (discoveries.size() < mostDiscoveries) discover();
 }
 
 const RunMoment& RandomRuns::beginning() const {
   return from == kStart ? start : discoveries[from].moment;
 }
 
-/// What the run has reached, without its detours if that is possible.
-RandomRuns::Discovery RandomRuns::discovery() {
+/// Others may begin here. The run goes on from here, too: without its detours, if that is possible.
+void RandomRuns::discover() {
   const auto& begin = beginning();
-  const Steps few = without(detoursOf(system, begin.state, steps, true), steps);
+  Steps few = without(detoursOf(system, begin.state, steps, true), steps);
   direct.goTo(begin);
-  const bool isPossible =
+  const bool isShorter =
       few.size() < steps.size() &&
-      std::ranges::all_of(few, [&](TransitionId step) { return direct.takeEarly(step); });
-  if (isPossible) return {direct.moment(), from, few};
-  return {chance.moment(), from, steps};
+      std::ranges::all_of(few, [&](TransitionId step) { return direct.takeEarly(step); }) &&
+      direct.moment().state == chance.moment().state;
+  if (isShorter) {
+    chance.goTo(direct.moment());
+    steps = std::move(few);
+  }
+  discoveries.push_back({chance.moment(), from, std::move(steps)});
+  from = discoveries.size() - 1;
+  steps.clear();
 }
 
 void RandomRuns::show(const std::vector<std::size_t>& reached, const OnFound& onFound) {
@@ -134,9 +141,8 @@ Steps RandomRuns::stepsSoFar() const {
 
 /// Whether the run only repeats what it has done, as after the end of a mission.
 bool RandomRuns::isIdle() {
-  std::uint64_t hash = 0;
-  for (const auto word : chance.moment().state) hash = mix(hash, word);
-  auto& slot = visited[(hash >> 32) % kVisited];
+  const std::uint64_t hash = hashOfWords(chance.moment().state);
+  auto& slot = visited[hash % kVisited];
   repeated = std::exchange(slot, hash) == hash ? repeated + 1 : 0;
   return repeated > kMostRepeated;
 }

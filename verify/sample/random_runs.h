@@ -10,15 +10,14 @@
 
 namespace proskill::verify {
 
-/// Looks for goals by runs in which chance decides. A step costs a fraction of a microsecond and
-/// nothing is stored for it, so many long runs take the time of a short search. What a mission does
+/// Looks for goals by runs in which chance decides. A step costs about a microsecond and nothing
+/// is stored for it, so many long runs take the time of a short search. What a mission does
 /// after hundreds of steps is found so, if it does not need rare coincidences.
 ///
 /// - Each run has odds of its own: in some, failures or events are rare, in others frequent. The
 ///   odds of runs that found something new are used again, with changes.
-/// - Most runs go on from a moment where another one found something new. Ecoffet, Huizinga,
-/// Lehman,
-///   Stanley, Clune, "First return, then explore", Nature 590, 2021.
+/// - Most runs go on from a moment where another one found something new: Ecoffet, Huizinga,
+///   Lehman, Stanley, Clune, "First return, then explore", Nature 590, 2021.
 ///
 /// The runs are the same each time.
 class RandomRuns {
@@ -42,7 +41,7 @@ private:
   /// Where a run found something new.
   struct Discovery {
     RunMoment moment;
-    std::size_t from = SIZE_MAX; ///< the discovery where that run began; SIZE_MAX: at the start
+    std::size_t from = SIZE_MAX; ///< the discovery before it; SIZE_MAX: the start
     Steps steps;                 ///< since then
     std::uint32_t uses = 0;      ///< lately, without finding anything
   };
@@ -56,7 +55,7 @@ private:
   [[nodiscard]] bool isBetter(std::size_t one, std::size_t other) const;
   void note(TransitionId step);
   [[nodiscard]] const RunMoment& beginning() const;
-  [[nodiscard]] Discovery discovery();
+  void discover();
   void show(const std::vector<std::size_t>& reached, const OnFound& onFound);
   [[nodiscard]] bool isIdle();
   void keepOdds();
@@ -66,9 +65,9 @@ private:
   LimitWatch& limits;
   GoalIndex goals;
   NewValues values;
-  RunMoment start;
   ChanceRun chance;
   ChanceRun direct; ///< repeats runs without their detours
+  RunMoment start;
   ChanceRun::Random random;
   double longestTime = 1; ///< the largest bound of an interval, in ticks
 
@@ -77,8 +76,10 @@ private:
   std::vector<Odds> fruitful; ///< those of runs that found something new
   // the current run
   Odds odds;
-  std::size_t from = SIZE_MAX;
-  Steps steps;
+  std::size_t begun = SIZE_MAX; ///< the discovery where it began; SIZE_MAX: at the start
+  std::size_t from = SIZE_MAX;  ///< its last discovery, or the same
+  Steps steps;                  ///< since then
+  std::size_t length = 0;       ///< in steps, from where it began
   bool foundNew = false;
   std::vector<std::uint64_t> visited; ///< hashes of its states, in a table of fixed size
   std::uint32_t repeated = 0;         ///< how many of its last states it had visited before

@@ -20,13 +20,14 @@ public:
              std::uint64_t& most)
       : system(of), goal(to), best(from), witness(by), effort(most) {}
 
-  Evidence run() {
+  /// \throw LimitMet
+  void run() {
     omitDetours();
     for (std::size_t parts = 2; parts <= kMostParts; parts *= 2)
       for (std::size_t i = parts; i-- > 0;) omit(partOf(i, parts));
     omitDetours();
-    return std::move(best);
   }
+  [[nodiscard]] const Evidence& result() const { return best; }
 
 private:
   /// All detours at once if the rest still has dates, or each for itself.
@@ -78,7 +79,12 @@ private:
 Evidence shortened(const System& system, const Goal& goal, const Evidence& evidence,
                    const Witness& witness, std::uint64_t& effort) {
   if (evidence.steps.size() < 2) return evidence;
-  return Shortening(system, goal, evidence, witness, effort).run();
+  Shortening shortening(system, goal, evidence, witness, effort);
+  try {
+    shortening.run();
+  } catch (const LimitMet&) { // as far as it has come
+  }
+  return shortening.result();
 }
 
 } // namespace proskill::verify

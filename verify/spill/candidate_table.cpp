@@ -13,9 +13,7 @@ CandidateTable::CandidateTable(std::uint32_t wordsOfEach, std::uint64_t bytes)
 }
 
 std::uint64_t CandidateTable::hashOf(const Word* state, ZoneId zone) const {
-  std::uint64_t hash = zone;
-  for (std::uint32_t i = 0; i < words; ++i) hash = mix(hash, state[i]);
-  return mix(hash, hash >> 32);
+  return hashOfWords({state, words}, zone);
 }
 
 void CandidateTable::add(const Word* state, ZoneId zone, const Discovery& how) {

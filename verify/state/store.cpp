@@ -5,11 +5,7 @@
 
 namespace proskill::verify {
 
-std::uint64_t StateStore::hashOf(const Word* state) const {
-  std::uint64_t hash = 0;
-  for (std::uint32_t i = 0; i < words; ++i) hash = mix(hash, state[i]);
-  return mix(hash, hash >> 32);
-}
+std::uint64_t StateStore::hashOf(const Word* state) const { return hashOfWords({state, words}); }
 
 bool StateStore::isEqual(const Word* state, StateId other) const {
   const Word* known = at(other);

@@ -20,6 +20,8 @@ public:
   Witness(const System& whole, const Reductions& reductions, const fiacre::Provenance& provenance,
           LimitWatch& limits);
 
+  /// Of all transitions. \throw LimitMet
+  [[nodiscard]] const Enabling& enablingOfAll() const;
   /// The evidence of a search as steps of the whole system, with as few steps as possible. \throw
   /// LimitMet
   [[nodiscard]] Evidence tidied(const Goal& goal, const Evidence& evidence) const;
@@ -44,8 +46,6 @@ private:
   [[nodiscard]] const std::vector<std::uint32_t>& watchedBy(TransitionId step) const;
   [[nodiscard]] Evidence lazily(const Goal& goal, const Evidence& evidence) const;
   [[nodiscard]] Evidence completed(const Goal& goal, const Evidence& evidence) const;
-  /// Of all transitions. \throw LimitMet
-  [[nodiscard]] const Enabling& enablingOfAll() const;
   /// As the search computed it. \throw LimitMet
   [[nodiscard]] const Enabling& enablingOfSearch() const;
   [[nodiscard]] const Enabling& madeOnce(std::optional<Enabling>& tables,
