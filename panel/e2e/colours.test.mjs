@@ -65,6 +65,18 @@ test('dimmed steps can be read in high contrast', async () => {
   files.remove();
 });
 
+test('the text of a step is marked in forced colours', async () => {
+  const files = workspace();
+  const served = await view(join(files.path, 'drone/drone.proskill'));
+  const it = await page();
+  await openTrace(it, served.url);
+  await it.emulateMedia({ forcedColors: 'active' });
+  await it.locator('.source .marked').first().waitFor();
+  assert.equal(await it.locator('.source .marked').first().evaluate((mark) => getComputedStyle(mark).outlineStyle), 'solid');
+  assert.equal(await served.end(), 0);
+  files.remove();
+});
+
 test('a skill has the same colour in steps, lanes and automata, in light, dark and high contrast', async () => {
   const files = workspace();
   const served = await view(join(files.path, 'rover/bug.proskill'));
