@@ -11,7 +11,7 @@ import { axisOf, drawBars, drawMarks, endOfAxis, lanesOf, nearest } from '../src
 import { open } from '../src/model/parse.ts';
 import { continuation, tellsTheSame } from '../src/model/renew.ts';
 import { badTimes, clockTime, fractions, positionAt } from '../src/model/seek.ts';
-import { ticks, windowOf } from '../src/model/time.ts';
+import { decimal, ticks, windowOf } from '../src/model/time.ts';
 import { Values } from '../src/model/values.ts';
 import { changesSince, withChanges } from '../src/model/verdict_changes.ts';
 import { Rows } from '../src/model/virtual.ts';
@@ -196,6 +196,12 @@ test('dates are written as intervals', () => {
   assert.equal(windowOf({ ...at, latest: { exact: '2', seconds: 2, strict: true } }), '[1, 2[');
   assert.equal(windowOf({ ...at, latest: { exact: '19/18', seconds: 19 / 18, strict: true } }), '[1, 1.056[');
   assert.equal(windowOf({ ...at, earliest: { ...at.earliest, strict: true }, latest: null }), ']1, …[');
+});
+
+test('dates of recordings are written to the millisecond, and never as zero', () => {
+  const written = (exact: string): string => decimal({ exact, seconds: Number(exact) });
+  assert.deepEqual(['15.164572266', '0.005', '120', '3.4007', '0.000166', '0'].map(written), ['15.165', '0.005', '120', '3.401', '0.0002', '0']);
+  assert.equal(decimal({ exact: '1/3000', seconds: 1 / 3000 }), '0.0003');
 });
 
 test('marks of an axis are round', () => {

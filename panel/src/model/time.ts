@@ -1,8 +1,10 @@
 import type { Moment, Seconds, Step } from '../api.ts';
 
-/** For reading: a fraction as a decimal number, to the millisecond. */
+/** For reading: a decimal number, to the millisecond; a time below half of one keeps a digit. */
 export function decimal({ exact, seconds }: Seconds): string {
-  return exact.includes('/') ? String(Number(seconds.toFixed(3))) : exact;
+  if (/^-?\d+(\.\d{1,3})?$/.test(exact)) return exact;
+  const rounded = Number(seconds.toFixed(3));
+  return String(rounded || Number(seconds.toPrecision(1)));
 }
 
 /** `1`, `[1, 2]`, `]1, 2[`, `[1, …[`: the dates at which a step can happen, over all runs with the same steps. */
