@@ -111,6 +111,7 @@ export const scenarios = {
       await editor.command('View: Close Editor'); // a text that is open is verified wherever it is
       await open(editor, page, kNorth);
       await editor.statusSays(/1 bad/, 60_000);
+      await textOf(page, kNorth, kMain).locator('.squiggly-error').first().waitFor(); // the editor asks for findings after the status has changed
       equal('errors in the other folder', await textOf(page, kNorth, kMain).locator('.squiggly-error').count(), 1);
       await editor.command('Testing: Focus on Test Explorer View');
       await expect('both programs, told apart', async () => JSON.stringify(await programs(page)) === JSON.stringify([`${kNorth}/${kMain}`, `${kSouth}/${kMain}`]));
