@@ -23,6 +23,8 @@ export interface Range {
 export interface Location {
   uri: string;
   range: Range;
+  /** of the text, if the end of its URI is not its name, as in a notebook */
+  label?: string;
 }
 
 // ---- what there is to see -------------------------------------------------------------------

@@ -8,6 +8,7 @@ import { bringIntoView, goTo, renamed } from './places';
 import type { Programs } from './programs';
 import * as protocol from './protocol';
 import { save } from './save';
+import { withCells } from './trace/cells';
 import { readPart } from './trace/trace_file';
 import type { panel } from './protocol';
 import type { Typing } from './writing/typing';
@@ -156,7 +157,7 @@ export class PanelHost implements vscode.Disposable {
       case 'trace': return this.trace(params);
       case 'part': return this.part(params);
       case 'picture': return this.picture(params);
-      case 'simulate': return this.client.running.sendRequest(protocol.simulate, { textDocument: { uri: this.uri.toString() }, ...(params as panel.ChosenRun) });
+      case 'simulate': return this.simulate(params);
       case 'save': return save(params, this.uri);
       case 'open': return vscode.commands.executeCommand('proskill.openTraceFile');
       case 'verify': return vscode.commands.executeCommand('proskill.verify', this.uri.toString());
@@ -178,8 +179,13 @@ export class PanelHost implements vscode.Disposable {
     };
   }
 
-  private trace({ name }: { name: string }): Promise<panel.Trace> {
-    return this.client.running.sendRequest(protocol.trace, { textDocument: { uri: this.uri.toString() }, name });
+  private async trace({ name }: { name: string }): Promise<panel.Trace> {
+    return withCells(await this.client.running.sendRequest(protocol.trace, { textDocument: { uri: this.uri.toString() }, name }));
+  }
+
+  private async simulate(run: panel.ChosenRun): Promise<panel.Simulation> {
+    const simulation = await this.client.running.sendRequest(protocol.simulate, { textDocument: { uri: this.uri.toString() }, ...run });
+    return { ...simulation, trace: withCells(simulation.trace) };
   }
 
   private async part({ from }: { from?: number }): Promise<panel.Trace> {

@@ -306,7 +306,7 @@ export function wordsOf(words: string): HTMLElement[] {
 }
 
 export const placeOf = (location: Location): string =>
-  `${decodeURIComponent(location.uri.split('/').at(-1) ?? '')}:${location.range.start.line + 1}`;
+  `${location.label ?? decodeURIComponent(location.uri.split('/').at(-1) ?? '')}:${location.range.start.line + 1}`;
 
 export function parts(className: string, list: Part[]): HTMLElement {
   return h('span', { class: className },

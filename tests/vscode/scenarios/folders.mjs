@@ -72,7 +72,8 @@ const folders = (page) => expect('the folders', async () => {
   return false;
 });
 
-async function trust(editor, page) {
+/** Another window is another browser, which does not know what was trusted. */
+export async function trust(editor, page) {
   await editor.statusSays('syntax and static checks', 60_000);
   await editor.command('Workspaces: Manage Workspace Trust');
   await page.locator('.workspace-trust-editor .monaco-button', { hasText: /^Trust$/ }).first().click();

@@ -1,5 +1,6 @@
 // In this order: later scenarios use the workspace as earlier ones leave it.
 import { scenarios as automaton } from './automaton.mjs';
+import { scenarios as copies } from './copies.mjs';
 import { scenarios as debugging } from './debugger.mjs';
 import { scenarios as editing } from './editing.mjs';
 import { scenarios as first } from './first.mjs';
@@ -20,5 +21,5 @@ import { scenarios as verification } from './verification.mjs';
 import { scenarios as walkthrough } from './walkthrough.mjs';
 
 export const scenarios = {
-  ...trust, ...editing, ...automaton, ...picture, ...verification, ...testing, ...traces, ...opening, ...lenses, ...typing, ...imports, ...large, ...simulation, ...mission, ...secondDay, ...folders, ...first, ...debugging, ...walkthrough,
+  ...trust, ...editing, ...automaton, ...picture, ...verification, ...testing, ...traces, ...opening, ...lenses, ...typing, ...imports, ...large, ...simulation, ...mission, ...secondDay, ...folders, ...copies, ...first, ...debugging, ...walkthrough,
 };
