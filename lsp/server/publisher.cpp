@@ -52,6 +52,11 @@ void Publisher::publish(const std::shared_ptr<const ide::Snapshot>& snapshot, bo
   }
 }
 
+void Publisher::leave(const Path& path) {
+  const std::lock_guard lock(mutex);
+  told.erase(path);
+}
+
 bool Publisher::isQuick() {
   const std::lock_guard lock(mutex);
   return pace.isQuick();

@@ -48,6 +48,8 @@ public:
   [[nodiscard]] bool isQuick();
   /// When `publish` must be called next.
   [[nodiscard]] std::optional<Time> due() const { return dueAt; }
+  /// Main thread only: a text was lost; what its diagnostics are is now said by others.
+  void leave(const std::filesystem::path& path);
   /// Main thread only. \param enabled false: removes published diagnostics
   void publish(const std::shared_ptr<const ide::Snapshot>& snapshot, bool enabled);
 

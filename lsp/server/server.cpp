@@ -164,9 +164,7 @@ bool Server::handle(rpc::InboxEvent& event) {
 /// An exception becomes the error of this message only.
 bool Server::handleMessage(rpc::Received& received) {
   auto& message = received.message;
-  if (message.isRepaired && phase == Phase::Running)
-    announcer.show(Announcer::Kind::Warning,
-                   "the editor sent half a character, which is read as U+FFFD");
+  if (message.isRepaired) log.write(message.method + " contains half a character");
   try {
     switch (message.kind) {
     case rpc::MessageKind::Request: handleRequest(received); return true;
@@ -209,6 +207,7 @@ void Server::handleRequest(rpc::Received& received) {
   auto method = registry.methods.find(message.method);
   if (method == registry.methods.end())
     return refuse(rpc::ErrorCode::MethodNotFound, "there is no method " + message.method);
+  if (needsLostText(message)) return refuseLost(message);
   dispatch(received, method->second);
 }
 

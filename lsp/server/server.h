@@ -12,6 +12,7 @@
 #include "lsp/server/statistics.h"
 #include "lsp/verification/verification.h"
 #include "lsp/workspace/notebooks.h"
+#include "lsp/workspace/resynchronizer.h"
 #include "lsp/workspace/workspace.h"
 #include "rpc/inbox.h"
 #include "rpc/outbox.h"
@@ -83,6 +84,9 @@ private:
   void textsChanged();
   void changed();
   void refuseStale(const std::string& uri, std::uint64_t order);
+  void synchronized(const rpc::Message& message);
+  [[nodiscard]] bool needsLostText(const rpc::Message& request) const;
+  void refuseLost(const rpc::Message& request);
 
   // server_lifecycle.cpp
   Json initialize(const Json& params);
@@ -123,6 +127,7 @@ private:
         log.writeFailure("textDocument/publishDiagnostics", {{"uri", uri}}, error);
       }};
   Refresher refresher{peer, client};
+  Resynchronizer resynchronizer{peer, client};
   ClientFolders folders{{workspace, peer, client, inbox, scheduler, [this] { foldersRead(); }}};
   // The last members, because their threads use all of the above.
   rpc::Scheduler longWork{3}; ///< verifications

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace proskill::lsp {
 
 namespace {
@@ -23,9 +25,10 @@ bool isEdit(const rpc::Message& message) {
          rpc::memberAt(message.params, {"textDocument", "version"}).is_number_integer();
 }
 
-/// Whether one edit directly follows the other.
+/// Whether one edit directly follows the other, and both can be applied together.
 bool continues(const rpc::Message& next, const rpc::Message& edit) {
-  return isEdit(next) && uriOf(next.params) == uriOf(edit.params) &&
+  return isEdit(next) && !next.isRepaired && !edit.isRepaired &&
+         uriOf(next.params) == uriOf(edit.params) &&
          next.params["textDocument"]["version"] > edit.params["textDocument"]["version"];
 }
 
@@ -49,28 +52,67 @@ void Server::gatherEdits(rpc::Message& edit) {
 
 void Server::handleText(rpc::Received& received) {
   rpc::Message& message = received.message;
-  if (isEdit(message)) gatherEdits(message);
-  if (const auto path = documentPath(message.params); path && Workspace::isData(*path))
+  if (isEdit(message) && !workspace.isIncluded(message.params)) gatherEdits(message);
+  if (const auto file = documentPath(message.params); file && Workspace::isData(*file))
     return handleData(message);
   Workspace::Outcome outcome;
   auto before = workspace.snapshot();
   if (message.method == "textDocument/didOpen")
-    outcome = workspace.open(message.params);
+    outcome = workspace.open(message.params, ide::TextKind::File, message.isRepaired);
   else if (message.method == "textDocument/didChange")
-    outcome = workspace.change(message.params);
+    outcome = workspace.change(message.params, message.isRepaired);
   else if (message.method == "textDocument/didClose")
     outcome = workspace.close(message.params);
   else if (message.method == "textDocument/didSave")
     outcome = workspace.saved(message.params);
   else
     return log.write("unsupported notification: " + message.method);
-  if (!outcome) announcer.show(Announcer::Kind::Error, outcome.error());
+  const auto path = documentPath(message.params);
+  if (!outcome)
+    announcer.show(Announcer::Kind::Error,
+                   outcome.error() +
+                       (path && workspace.isLost(*path) ? resynchronizer.remedy() : ""));
   if (message.method == "textDocument/didChange")
     refuseStale(uriOf(message.params), received.order);
   std::vector<Path> texts;
-  if (auto path = documentPath(message.params); path && message.method != "textDocument/didSave")
-    texts.push_back(*path);
+  if (path && message.method != "textDocument/didSave") texts.push_back(*path);
   textsChanged(texts, std::move(before));
+  synchronized(message);
+}
+
+/// A text may have been lost, or be known again. \pre its diagnostics are not being published
+void Server::synchronized(const rpc::Message& message) {
+  const auto& inexact = workspace.inexactTexts();
+  for (const auto& [path, text] : inexact) {
+    if (text.isLost)
+      publisher.leave(path);
+    else if (message.isRepaired)
+      announcer.show(Announcer::Kind::Warning,
+                     "`" + path.filename().generic_string() +
+                         "` contains half a character, which is read as U+FFFD");
+  }
+  resynchronizer.update(inexact);
+}
+
+/// Whether a request is about a lost text, or edits any texts of the program.
+bool Server::needsLostText(const rpc::Message& request) const {
+  const auto isLost = [](const auto& entry) { return entry.second.isLost; };
+  if (std::ranges::none_of(workspace.inexactTexts(), isLost)) return false;
+  if (request.method == "textDocument/rename" || request.method == "workspace/willRenameFiles")
+    return true;
+  const auto path = documentPath(request.params);
+  return path && workspace.isLost(*path);
+}
+
+/// Clients ignore an answer with `ContentModified` without a message; the user has had one.
+void Server::refuseLost(const rpc::Message& request) {
+  if (!pending.finish(request.id)) return;
+  if (request.method == "textDocument/diagnostic") {
+    const Json report{{"kind", "full"}, {"items", resynchronizer.diagnostics()}};
+    return outbox.send(rpc::reply(request.id, report));
+  }
+  const auto why = "the text in the editor is not known" + resynchronizer.remedy();
+  outbox.send(rpc::replyError(request.id, {rpc::ErrorCode::ContentModified, why}));
 }
 
 /// An open platform file is read in place of the one on the disk.
@@ -95,9 +137,9 @@ void Server::handleNotebook(const rpc::Received& received) {
   auto before = workspace.snapshot();
   Notebooks::Outcome outcome;
   if (method == "notebookDocument/didOpen")
-    outcome = notebooks.open(params);
+    outcome = notebooks.open(params, received.message.isRepaired);
   else if (method == "notebookDocument/didChange")
-    outcome = notebooks.change(params);
+    outcome = notebooks.change(params, received.message.isRepaired);
   else if (method == "notebookDocument/didClose")
     outcome = notebooks.close(params);
   else if (method != "notebookDocument/didSave")
@@ -110,6 +152,7 @@ void Server::handleNotebook(const rpc::Received& received) {
     if (auto text = before->open().find(path); text != before->open().end())
       refuseStale(text->second.uri, received.order);
   if (!outcome.changed.empty()) textsChanged(outcome.changed, std::move(before));
+  synchronized(received.message);
 }
 
 /// The client changed texts; the last one is in view.

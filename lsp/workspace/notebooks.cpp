@@ -46,7 +46,7 @@ bool isText(const Workspace& workspace, const std::filesystem::path& path,
 
 } // namespace
 
-Notebooks::Outcome Notebooks::open(const Json& params) {
+Notebooks::Outcome Notebooks::open(const Json& params, bool hasHalves) {
   Outcome outcome;
   const auto& document = rpc::memberAt(params, {"notebookDocument"});
   const auto path = pathAt(params, {"notebookDocument", "uri"}, outcome);
@@ -55,12 +55,13 @@ Notebooks::Outcome Notebooks::open(const Json& params) {
   auto& notebook = notebooks[*path];
   notebook.uri = document["uri"];
   notebook.cells = cellsIn(listAt(document, {"cells"}), outcome);
-  for (const auto& text : listAt(params, {"cellTextDocuments"})) openCell(notebook, text, outcome);
+  for (const auto& text : listAt(params, {"cellTextDocuments"}))
+    openCell(notebook, text, hasHalves, outcome);
   join(*path, outcome);
   return outcome;
 }
 
-Notebooks::Outcome Notebooks::change(const Json& params) {
+Notebooks::Outcome Notebooks::change(const Json& params, bool hasHalves) {
   Outcome outcome;
   const auto path = pathAt(params, {"notebookDocument", "uri"}, outcome);
   if (!path) return outcome;
@@ -71,8 +72,9 @@ Notebooks::Outcome Notebooks::change(const Json& params) {
   }
   auto& notebook = found->second;
   const auto& cells = rpc::memberAt(params, {"change", "cells"});
-  restructure(notebook, rpc::memberAt(cells, {"structure"}), outcome);
-  for (const auto& text : listAt(cells, {"textContent"})) changeCell(notebook, text, outcome);
+  restructure(notebook, rpc::memberAt(cells, {"structure"}), hasHalves, outcome);
+  for (const auto& text : listAt(cells, {"textContent"}))
+    changeCell(notebook, text, hasHalves, outcome);
   join(*path, outcome);
   return outcome;
 }
@@ -88,10 +90,12 @@ Notebooks::Outcome Notebooks::close(const Json& params) {
 }
 
 /// A cell that one message both closes and opens is open afterwards.
-void Notebooks::restructure(Notebook& notebook, const Json& structure, Outcome& outcome) {
+void Notebooks::restructure(Notebook& notebook, const Json& structure, bool hasHalves,
+                            Outcome& outcome) {
   if (!structure.is_object()) return;
   for (const auto& text : listAt(structure, {"didClose"})) closeCell(notebook, text, outcome);
-  for (const auto& text : listAt(structure, {"didOpen"})) openCell(notebook, text, outcome);
+  for (const auto& text : listAt(structure, {"didOpen"}))
+    openCell(notebook, text, hasHalves, outcome);
   const auto& start = rpc::memberAt(structure, {"array", "start"});
   const auto& count = rpc::memberAt(structure, {"array", "deleteCount"});
   auto& cells = notebook.cells;
@@ -109,7 +113,7 @@ void Notebooks::restructure(Notebook& notebook, const Json& structure, Outcome& 
   cells.insert(rest, added.begin(), added.end());
 }
 
-void Notebooks::openCell(Notebook& notebook, const Json& text, Outcome& outcome) {
+void Notebooks::openCell(Notebook& notebook, const Json& text, bool hasHalves, Outcome& outcome) {
   const auto path = pathAt(text, {"uri"}, outcome);
   if (!path) return;
   if (rpc::memberAt(text, {"languageId"}) != "proskill") {
@@ -117,7 +121,7 @@ void Notebooks::openCell(Notebook& notebook, const Json& text, Outcome& outcome)
     return;
   }
   if (isText(workspace, *path, outcome)) return;
-  const auto opened = workspace.open({{"textDocument", text}}, ide::TextKind::Cell);
+  const auto opened = workspace.open({{"textDocument", text}}, ide::TextKind::Cell, hasHalves);
   if (!opened) {
     outcome.problems.push_back(opened.error());
     return;
@@ -127,7 +131,8 @@ void Notebooks::openCell(Notebook& notebook, const Json& text, Outcome& outcome)
   outcome.changed.push_back(*path);
 }
 
-void Notebooks::changeCell(Notebook& notebook, const Json& change, Outcome& outcome) {
+void Notebooks::changeCell(Notebook& notebook, const Json& change, bool hasHalves,
+                           Outcome& outcome) {
   const auto path = pathAt(change, {"document", "uri"}, outcome);
   if (!path || notebook.unserved.contains(*path)) return;
   if (!notebook.open.contains(*path)) {
@@ -136,10 +141,9 @@ void Notebooks::changeCell(Notebook& notebook, const Json& change, Outcome& outc
   }
   outcome.changed.push_back(*path);
   const auto changed = workspace.change({{"textDocument", change["document"]},
-                                         {"contentChanges", rpc::memberAt(change, {"changes"})}});
-  if (changed) return;
-  notebook.open.erase(*path); // was removed
-  outcome.problems.push_back(changed.error());
+                                         {"contentChanges", rpc::memberAt(change, {"changes"})}},
+                                        hasHalves);
+  if (!changed) outcome.problems.push_back(changed.error() + kReopen);
 }
 
 void Notebooks::closeCell(Notebook& notebook, const Json& text, Outcome& outcome) {
@@ -157,7 +161,7 @@ void Notebooks::join(const Path& path, Outcome& outcome) {
   const auto& notebook = notebooks.at(path);
   std::vector<Path> cells;
   for (const auto& cell : notebook.cells)
-    if (notebook.open.contains(cell)) cells.push_back(cell);
+    if (notebook.open.contains(cell) && !workspace.isLost(cell)) cells.push_back(cell);
   if (workspace.join(path, notebook.uri, cells))
     outcome.changed.insert(outcome.changed.begin(), path);
 }

@@ -23,21 +23,22 @@ public:
     std::vector<std::string> problems; ///< of the message, as sentences for the user
   };
   /// Invalid parts of a message are reported; valid parts are applied.
-  Outcome open(const Json& params);
-  Outcome change(const Json& params);
+  /// \param hasHalves the message contains halves of characters, which were replaced by U+FFFD
+  Outcome open(const Json& params, bool hasHalves = false);
+  Outcome change(const Json& params, bool hasHalves = false);
   Outcome close(const Json& params);
 
 private:
   struct Notebook {
     std::string uri;
     std::vector<Path> cells;   ///< all cells, in order
-    std::set<Path> open;       ///< texts of the cells in ProSkill
+    std::set<Path> open;       ///< texts of the cells in ProSkill, also lost ones
     std::set<Path> unserved{}; ///< texts of cells in other languages
   };
 
-  void restructure(Notebook& notebook, const Json& structure, Outcome& outcome);
-  void openCell(Notebook& notebook, const Json& text, Outcome& outcome);
-  void changeCell(Notebook& notebook, const Json& change, Outcome& outcome);
+  void restructure(Notebook& notebook, const Json& structure, bool hasHalves, Outcome& outcome);
+  void openCell(Notebook& notebook, const Json& text, bool hasHalves, Outcome& outcome);
+  void changeCell(Notebook& notebook, const Json& change, bool hasHalves, Outcome& outcome);
   void closeCell(Notebook& notebook, const Json& text, Outcome& outcome);
   void join(const Path& path, Outcome& outcome);
   void drop(const Path& path, Outcome& outcome);

@@ -148,6 +148,12 @@ Json::const_iterator firstThatCounts(const Json& changes) {
 
 } // namespace
 
+bool replaceWhole(const Json& changes) {
+  if (!changes.is_array() || changes.empty()) return false;
+  const auto& first = *firstThatCounts(changes);
+  return isWhole(first) && rpc::memberAt(first, {"text"}).is_string();
+}
+
 std::optional<syntax::Document> changed(syntax::Document document, const Json& changes,
                                         syntax::Encoding encoding) {
   if (!changes.is_array()) return std::nullopt;

@@ -60,7 +60,21 @@ void Workspace::setStyle(bool now) {
   if (std::exchange(style, now) != now) startAfresh();
 }
 
-Workspace::Outcome Workspace::open(const Json& params, ide::TextKind kind) {
+bool Workspace::isLost(const fs::path& path) const {
+  const auto found = inexact.find(path);
+  return found != inexact.end() && found->second.isLost;
+}
+
+bool Workspace::isIncluded(const Json& params) const {
+  const auto path = documentPath(params);
+  const auto whole = path ? wholeVersions.find(*path) : wholeVersions.end();
+  if (whole == wholeVersions.end()) return false;
+  const auto version = versionOf(params["textDocument"]);
+  return version != 0 && version <= whole->second &&
+         !replaceWhole(rpc::memberAt(params, {"contentChanges"}));
+}
+
+Workspace::Outcome Workspace::open(const Json& params, ide::TextKind kind, bool hasHalves) {
   auto path = documentPath(params);
   if (!path) return std::unexpected(path.error().message);
   const auto& document = params["textDocument"];
@@ -69,39 +83,65 @@ Workspace::Outcome Workspace::open(const Json& params, ide::TextKind kind) {
   texts.insert_or_assign(*path,
                          ide::OpenText{document["uri"].get<std::string>(), versionOf(document),
                                        syntax::Document::parse(document["text"]), kind});
+  inexact.erase(*path);
+  if (hasHalves) inexact[*path] = {document["uri"], kind};
   identities.try_emplace(*path, identityOf(*path));
   noteText(*path);
   refresh();
   return *path;
 }
 
-Workspace::Outcome Workspace::change(const Json& params) {
+Workspace::Outcome Workspace::change(const Json& params, bool hasHalves) {
   auto path = documentPath(params);
   if (!path) return std::unexpected(path.error().message);
+  if (isLost(*path)) return restore(*path, params, hasHalves);
   auto found = texts.find(*path);
   if (found == texts.end()) return std::unexpected("a change of a document that is not open");
+  auto& text = found->second;
+  const auto& changes = rpc::memberAt(params, {"contentChanges"});
+  const bool isWhole = replaceWhole(changes);
   const auto version = versionOf(params["textDocument"]);
-  const bool inOrder = version == 0 || version >= found->second.version;
-  auto next =
-      inOrder ? changed(found->second.document, rpc::memberAt(params, {"contentChanges"}), encoding)
-              : std::nullopt;
-  if (next) {
-    found->second.document = std::move(*next);
-    if (version != 0) found->second.version = version;
-    noteText(*path);
-    refresh();
-    return *path;
+  if (isIncluded(params)) return *path;
+  const bool isExact = isWhole || !hasHalves;
+  const bool inOrder = version == 0 || version >= text.version;
+  auto next = isExact && inOrder ? changed(text.document, changes, encoding) : std::nullopt;
+  if (!next) {
+    inexact[*path] = {text.uri, text.kind, true};
+    drop(*path);
+    const auto name = path->filename().generic_string();
+    return std::unexpected(isExact ? "an edit of `" + name + "` does not fit its text"
+                                   : "an edit of `" + name + "` contains half a character");
   }
-  drop(*path);
-  return std::unexpected("an edit of `" + path->filename().generic_string() +
-                         "` does not fit its text; please close the file and open it again");
+  text.document = std::move(*next);
+  if (version != 0) text.version = version;
+  if (isWhole) {
+    inexact.erase(*path);
+    wholeVersions[*path] = version;
+  }
+  if (hasHalves) inexact[*path] = {text.uri, text.kind};
+  noteText(*path);
+  refresh();
+  return *path;
+}
+
+/// Opens a lost text again if the change replaces all of it.
+Workspace::Outcome Workspace::restore(const Path& path, const Json& params, bool hasHalves) {
+  const auto& changes = rpc::memberAt(params, {"contentChanges"});
+  auto whole = replaceWhole(changes) ? changed(syntax::Document::parse(""), changes, encoding)
+                                     : std::nullopt;
+  if (!whole) return path;
+  auto document = params["textDocument"];
+  document["text"] = whole->text();
+  wholeVersions[path] = versionOf(document);
+  return open({{"textDocument", std::move(document)}}, inexact.at(path).kind, hasHalves);
 }
 
 Workspace::Outcome Workspace::close(const Json& params) {
   auto path = documentPath(params);
   if (!path) return std::unexpected(path.error().message);
-  if (!texts.contains(*path)) return std::unexpected("a document was closed that is not open");
-  drop(*path);
+  if (!texts.contains(*path) && !isLost(*path))
+    return std::unexpected("a document was closed that is not open");
+  close(*path);
   return *path;
 }
 
@@ -130,6 +170,7 @@ bool Workspace::join(const fs::path& notebook, const std::string& uri,
 }
 
 void Workspace::close(const fs::path& path) {
+  inexact.erase(path);
   if (texts.contains(path)) drop(path);
 }
 
@@ -245,6 +286,7 @@ void Workspace::noteText(const fs::path& path) {
 /// Replaces a closed text by the file on the disk, unless it is open under another name. Files of
 /// notebooks are usually not programs.
 void Workspace::drop(const fs::path& path) {
+  wholeVersions.erase(path);
   const bool mayBeFile = texts.at(path).kind == ide::TextKind::File || isProgramFile(path);
   texts.erase(path);
   const auto identity = identities.extract(path).mapped();

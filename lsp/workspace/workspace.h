@@ -27,6 +27,16 @@ struct DataText {
 };
 using DataTexts = std::map<std::filesystem::path, DataText>;
 
+/// An open document of which the server does not have the client's exact text.
+struct InexactText {
+  std::string uri;
+  ide::TextKind kind = ide::TextKind::File;
+  /// An edit could not be applied: the text is unknown until the client sends all of it. Otherwise
+  /// the client's text contains half a character, which reads as U+FFFD.
+  bool isLost = false;
+};
+using InexactTexts = std::map<std::filesystem::path, InexactText>;
+
 /// The texts that the client has open and the files of its folders. The main thread changes them
 /// and takes snapshots.
 class Workspace {
@@ -40,10 +50,13 @@ public:
 
   using Outcome = std::expected<std::filesystem::path, std::string>;
   /// The path of the text that was opened, changed or closed, or an error in the message. A change
-  /// that does not fit drops the text, because a wrong text would give wrong answers until it is
-  /// closed.
-  Outcome open(const Json& params, ide::TextKind kind = ide::TextKind::File);
-  Outcome change(const Json& params);
+  /// of a part that does not fit, or that contains half a character, drops the text: a wrong text
+  /// would give wrong answers. The text is then lost until it is closed, or a change replaces all
+  /// of it; changes of parts have no effect. \param hasHalves the message contains halves of
+  /// characters, which were replaced by U+FFFD
+  Outcome open(const Json& params, ide::TextKind kind = ide::TextKind::File,
+               bool hasHalves = false);
+  Outcome change(const Json& params, bool hasHalves = false);
   Outcome close(const Json& params);
   /// A text was saved. This matters only for programs that include the file from disk.
   Outcome saved(const Json& params);
@@ -55,6 +68,12 @@ public:
   Outcome changeData(const Json& params);
   Outcome closeData(const Json& params);
   [[nodiscard]] const DataTexts& dataTexts() const { return data; }
+
+  [[nodiscard]] const InexactTexts& inexactTexts() const { return inexact; }
+  /// Whether an edit of parts is in a whole text already that came before it.
+  [[nodiscard]] bool isIncluded(const Json& params) const;
+  /// Whether a document is open in the client, but its text is not known.
+  [[nodiscard]] bool isLost(const std::filesystem::path& path) const;
 
   /// Combines the cells of a notebook to one program, in this order.
   /// \return whether the program has changed
@@ -91,6 +110,7 @@ private:
   [[nodiscard]] std::optional<ide::KnownFile> onDisk(const Path& path);
   void noteText(const Path& path);
   Outcome setData(const Path& path, DataText text);
+  Outcome restore(const Path& path, const Json& params, bool hasHalves);
   void drop(const Path& path);
   [[nodiscard]] std::optional<Path> otherTextOf(std::string_view canonical) const;
   void refresh();
@@ -102,6 +122,10 @@ private:
   bool style = false;
   ide::OpenTexts texts;
   DataTexts data;
+  InexactTexts inexact;
+  /// The version with which a whole text came last, instead of an edit. VS Code sends an edit by
+  /// both registrations, the whole text first: edits up to its version are in it already.
+  std::map<Path, std::int64_t> wholeVersions;
   /// The canonical name of each text's file. A text that was opened while its file was open by
   /// another name is separate until the other one is closed.
   std::map<Path, std::string> identities;

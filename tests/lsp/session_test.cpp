@@ -227,7 +227,7 @@ TEST_CASE("an edit that does not fit the text closes it, and says so") {
   CHECK(session.notified("window/logMessage")["type"] == 1);
   CHECK(errorOf(session.ask("textDocument/definition",
                             {{"textDocument", {{"uri", kLamp}}},
-                             {"position", {{"line", 0}, {"character", 8}}}})) == -32602);
+                             {"position", {{"line", 0}, {"character", 8}}}})) == -32801);
   session.open(kLamp, kLampText, 3);
   CHECK(session.at("textDocument/definition", kLamp, 0, 8).size() == 1);
 }

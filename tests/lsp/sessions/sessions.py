@@ -44,7 +44,7 @@ def an_older_edit_drops_the_text_until_it_is_opened_again():
     client.open(URI, LAMP, 5)
     client.change(URI, 4, position(0, 0), position(0, 0), ';')
     assert 'open' in client.note('window/showMessage')['message']
-    assert client.error('textDocument/definition', at(URI, 0, 8)) == -32602
+    assert client.error('textDocument/definition', at(URI, 0, 8)) == -32801
     client.change(URI, 6, position(0, 0), position(0, 0), ';')
     client.open(URI, LAMP, 7)
     assert len(client.result('textDocument/definition', at(URI, 0, 8))) == 1
