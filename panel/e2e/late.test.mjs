@@ -50,6 +50,21 @@ describe('answers that come late', () => {
     assert.equal(await it.locator('.verdict[aria-selected="true"]').getAttribute('data-name'), fast.name);
   });
 
+  test('keys that are pressed after a click step through the trace that was asked for', async () => {
+    const it = await page();
+    await openTrace(it, served.url);
+    const [slow] = traced.slice(-1);
+    const held = await hold(it, 'trace', ({ name }) => name === slow.name);
+    await click(it, slow);
+    await held.arrived;
+    const before = await it.locator('.step.current').getAttribute('id');
+    for (const key of ['Home', 'ArrowDown']) await it.locator('.steps').press(key);
+    assert.equal(await it.locator('.step.current').getAttribute('id'), before);
+    held.release();
+    await eventually(async () => assert.equal(await shown(it), slow.name));
+    await it.locator('#step-1.current').waitFor();
+  });
+
   test('a verification that ends meanwhile does not undo a click', async () => {
     const it = await page();
     await openTrace(it, served.url);

@@ -238,6 +238,7 @@ class App {
   private async fetchTrace(name: string, step?: number, byUser = true): Promise<boolean> {
     const request = (this.pending = ++this.asked);
     if (byUser) this.wanted = null;
+    if (byUser) this.trace.list.holdKeys();
     try {
       const trace = this.opened.get(name) ?? (await this.host.request('trace', { name }));
       if (request !== this.asked) return false;
@@ -247,12 +248,13 @@ class App {
       if (request === this.asked && byUser) this.say((error as Error).message);
       return false;
     } finally {
-      if (request === this.pending) this.renewLate();
+      if (request === this.pending) this.endRequest();
     }
   }
 
-  /** Catches up on a renewal that a requested trace has delayed. */
-  private renewLate(): void {
+  /** Catches up on the keys and on the renewal that a requested trace has delayed. */
+  private endRequest(): void {
+    this.trace.list.releaseKeys();
     const former = this.unrenewed;
     this.pending = 0;
     this.unrenewed = null;

@@ -51,6 +51,7 @@ export class StepList {
   private printing = false;
   private readonly folded = new Set<number>();
   private current = -1;
+  private heldKeys: string[] | null = null;
   private readonly draw = onceAFrame(() => this.drawNow());
 
   /** `prefix` of the steps' ids, for pages with several lists. */
@@ -270,15 +271,34 @@ export class StepList {
     this.go(index);
   }
 
+  /** Keys wait until `releaseKeys`: they are meant for a trace that is not here yet. */
+  holdKeys(): void {
+    this.heldKeys ??= [];
+  }
+
+  releaseKeys(): void {
+    const keys = this.heldKeys ?? [];
+    this.heldKeys = null;
+    for (const key of keys) this.take(key);
+  }
+
   private key(event: KeyboardEvent): void {
-    const steps = this.shown?.steps ?? [];
-    if (event.ctrlKey || event.metaKey || event.altKey || steps.length === 0) return;
-    const page = Math.max(1, Math.floor(this.element.clientHeight / heights.step) - 2);
-    const by = { ArrowDown: 1, j: 1, ArrowUp: -1, k: -1, PageDown: page, PageUp: -page, Home: -Infinity, End: Infinity }[event.key];
-    if (by !== undefined) this.move(by);
-    else if (event.key === 'Enter') this.events.enter(this.current);
-    else return;
+    const { key } = event;
+    if (event.ctrlKey || event.metaKey || event.altKey || (key !== 'Enter' && this.wayOf(key) === undefined)) return;
+    this.heldKeys ? this.heldKeys.push(key) : this.take(key);
     event.preventDefault();
+  }
+
+  private take(key: string): void {
+    const by = this.wayOf(key);
+    if (by !== undefined) this.move(by);
+    else if (this.current >= 0) this.events.enter(this.current);
+  }
+
+  /** By how many of the visible steps a key moves. */
+  private wayOf(key: string): number | undefined {
+    const page = Math.max(1, Math.floor(this.element.clientHeight / heights.step) - 2);
+    return { ArrowDown: 1, j: 1, ArrowUp: -1, k: -1, PageDown: page, PageUp: -page, Home: -Infinity, End: Infinity }[key];
   }
 
   /** Moves by this many of the visible steps. */

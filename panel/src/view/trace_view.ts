@@ -30,7 +30,7 @@ export interface TraceEvents {
 /** A trace as a list of steps, values and lanes, synchronised with each other and the source. */
 export class TraceView {
   readonly element: HTMLElement;
-  private readonly list: StepList;
+  readonly list: StepList;
   private readonly values: ValuesView;
   private readonly lanes: LanesView;
   private readonly head = new TraceHead();
