@@ -47,24 +47,26 @@ bool Verification::exploreLed(const std::vector<std::size_t>& which, std::uint64
   return answered.size() > before;
 }
 
-/// Looks for all goals at once by random runs, which have long traces. \return whether any of the
-/// questions was answered
-bool Verification::sampleRuns(const std::vector<std::size_t>& which, const Stage& from) {
+/// Looks for all goals at once by random runs. \return whether any of the questions was answered
+/// \param most steps without a finding after which it ends
+/// \param traced whether it answers the questions that want a trace, or the others
+bool Verification::sampleRuns(const std::vector<std::size_t>& which, std::uint64_t most,
+                              bool traced) {
   const auto left = openAmong(which, [&](std::size_t i) {
-    return GoalIndex::isFor(compiled.goals[i]) && (from.samplesTraces || !wantsTrace(i));
+    return GoalIndex::isFor(compiled.goals[i]) && wantsTrace(i) == traced;
   });
-  if (left.empty() || from.sampled == 0) return false;
+  if (left.empty() || most == 0) return false;
   const Witness witness(whole, none, provenance, limits);
   const auto before = answered.size();
   std::uint64_t effort = kMostShortening;
-  std::uint64_t traced = 0;
+  std::uint64_t shown = 0;
   RandomRuns(whole, witness.enablingOfAll(), compiled.goals, left, limits)
-      .search(from.sampled, [&](std::size_t i, const Evidence& evidence) {
-        if (!wantsTrace(i)) return isShownBySlice(i, &evidence, witness);
+      .search(most, [&](std::size_t i, const Evidence& evidence) {
+        if (!traced) return isShownBySlice(i, &evidence, witness);
         const auto& goal = compiled.goals[i];
-        if (traced > kMostTraced || !witness.refutation(goal, evidence).empty()) return false;
+        if (shown > kMostTraced || !witness.refutation(goal, evidence).empty()) return false;
         const auto shorter = shortened(whole, goal, evidence, witness, effort);
-        traced += shorter.steps.size();
+        shown += shorter.steps.size();
         answerBy(i, shorter, witness);
         return true;
       });

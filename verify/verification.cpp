@@ -103,12 +103,14 @@ bool Verification::answersAny(const Stage& stage, const std::vector<std::size_t>
       !slicesAreDone && stage.slices.classes > 0 && exploreSlices(which, stage.slices);
   const bool isRefined = refine(which, stage.refined);
   exploreRuns(stage);
-  const bool isSampled = sampleRuns(which, stage);
+  const bool isSampled = sampleRuns(which, stage.sampled, false);
   const bool isNew = exploreNewest(which, stage.newest);
   const bool isLed = exploreLed(which, stage.led, stage.ledEach);
   const bool byWalks = exploreByWalks(which, stage.walks);
   if (byWalks) exploreLed(which, stage.led, stage.ledEach); // fewer are left, so each gets more
-  return bySlices || isRefined || isSampled || isNew || isLed || byWalks;
+  // random runs have long traces, so the others come first
+  const bool isTraced = stage.samplesTraces && sampleRuns(which, stage.sampled, true);
+  return bySlices || isRefined || isSampled || isNew || isLed || byWalks || isTraced;
 }
 
 std::optional<Unsupported> Verification::stopDecided() {

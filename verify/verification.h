@@ -71,7 +71,7 @@ private:
                                                    const auto& suits) const;
   [[nodiscard]] std::vector<std::size_t> leadable(const std::vector<std::size_t>& which) const;
   bool exploreLed(const std::vector<std::size_t>& which, std::uint64_t most, std::uint64_t each);
-  bool sampleRuns(const std::vector<std::size_t>& which, const Stage& from);
+  bool sampleRuns(const std::vector<std::size_t>& which, std::uint64_t most, bool traced);
   [[nodiscard]] bool wantsTrace(std::size_t index) const;
   bool exploreNewest(const std::vector<std::size_t>& which, std::uint64_t most);
   bool exploreByWalks(const std::vector<std::size_t>& which, std::uint64_t most);
