@@ -34,6 +34,14 @@ Ending endingOf(const SkillPlan& skill, const syntax::Statement& statement) {
                                                   : failureOf(skill, statement.name.text);
 }
 
+/// The end of a body whose invariant has failed, after everything that it called has been stopped.
+Ending endAfterFailureOf(const syntax::Invariant& invariant) {
+  auto ending = failureOf(invariant);
+  ending.description = fmt::format("ends because of its invariant `{}`", invariant.tag.text);
+  ending.wasNoticed = true;
+  return ending;
+}
+
 /// The common part of the processes of a skill and of its branches. Both may be stopped, and then
 /// stop what they called before they end.
 class StoppableBody : public BodyProcess {
@@ -125,7 +133,8 @@ private:
   std::vector<Ending> findReasons() {
     std::vector<Ending> found;
     if (skill.obeysStops() || skill.skill().interrupt) found.push_back(interruptionOf(skill));
-    for (const auto& invariant : skill.skill().invariants) found.push_back(failureOf(invariant));
+    for (const auto& invariant : skill.skill().invariants)
+      found.push_back(endAfterFailureOf(invariant));
     forEachThread(body, [&](const BodyAutomaton& thread) {
       if (thread.path.empty()) return;
       for (const auto& state : thread.states)
@@ -183,6 +192,7 @@ private:
     for (const auto& invariant : skill.skill().invariants) {
       const auto ending = failureOf(invariant);
       const auto words = frame.failsAt(frame.origin(ending.range, ending.description), invariant);
+      context.alarms.emplace(words, Alarm::FailedInvariant);
       all.push_back(
           stopCallees(seen(frame.fails(invariant), words), running, note(resultOf(ending))));
     }

@@ -180,7 +180,6 @@ Statement SkillFrame::outcome(const Ending& ending) {
 Statement SkillFrame::happens(const Ending& ending) {
   const auto& name = context.names.tag({skill.name(), ending.status, ending.tag.text});
   const auto words = groundsOf(ending);
-  if (ending.status == "failed_inv") context.alarms.emplace(words, Alarm::FailedInvariant);
   Statement marked = at(words, tag(name));
   if (!ending.effects) return marked;
   return sequence({std::move(marked), effects(context, actor, *ending.effects)});
@@ -190,9 +189,11 @@ Statement SkillFrame::happens(const Ending& ending) {
 /// transition.
 OriginId SkillFrame::groundsOf(const Ending& ending) {
   const auto words = origin(ending.range, ending.description);
-  if (ending.status == "failed_inv")
+  if (ending.status == "failed_inv") {
     for (const auto& invariant : skill.skill().invariants)
       if (invariant.tag.text == ending.tag.text) failsAt(words, invariant);
+    if (!ending.wasNoticed) context.alarms.emplace(words, Alarm::FailedInvariant);
+  }
   if (ending.status == "interrupted" && skill.mayBeStopped()) causedBy(context, words, stop());
   return words;
 }

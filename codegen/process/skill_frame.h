@@ -12,6 +12,7 @@ struct Ending {
   const syntax::Expr* postcondition = nullptr;
   syntax::Range range;
   std::string description; ///< "succeeds with `at_altitude`"
+  bool wasNoticed = false; ///< an earlier step has reported why
 };
 
 [[nodiscard]] Ending successOf(const SkillPlan& skill, std::string_view tag);

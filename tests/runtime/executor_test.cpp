@@ -112,6 +112,17 @@ TEST_CASE("an interrupt from outside stops the action, and its effects are set")
   CHECK(ran.result.date == 1'000'000'000);
 }
 
+TEST_CASE("the failed guard of a composite skill is told once, when it is noticed") {
+  const auto ran = runOf(mission("(fly)", ":invariant (dry (:guard (sky Clear)))"),
+                         R"({"signals":[{"at":1,"event":"storm"}]})");
+  INFO(ran.text());
+  CHECK(ran.when("mission", "finds its invariant `dry` violated") == 1);
+  CHECK(ran.when("mission", "ends because of its invariant `dry`") == 1);
+  CHECK(std::ranges::count_if(ran.remarks, [](const auto& remark) {
+          return remark.kind == RemarkKind::GuardFailed && remark.subject == "mission";
+        }) == 1);
+}
+
 TEST_CASE("a skill whose action is slow to stop keeps what it has until it has stopped") {
   const auto executable = test::executableOf(mission("(fly) (success done)"), false);
   const auto ran = runOf(*executable, 0, R"({"signals":[{"at":1,"event":"storm"}]})",

@@ -79,6 +79,21 @@ TEST_CASE("who is stopped is told by whom") {
                          "false (`alarm` is On since step ") != std::string::npos);
 }
 
+TEST_CASE("a composite skill notices its failed guard in one step, and ends in another") {
+  const auto trace = traceOf(R"((defsv alarm :states (Off On) :init Off)
+(defsv noted :init 0 :min 0 :max 1)
+(defskill mission
+  :invariant (calm (:guard (alarm Off) :effects (noted 1)))
+  :body ((^ 1) (set (alarm On)) (^ 1)))
+)",
+                             "mission.invariant_may_fail.calm");
+  std::vector<std::string> last;
+  for (const auto& step : trace.steps)
+    if (step.description.find("invariant") != std::string::npos) last.push_back(step.description);
+  CHECK(last == std::vector<std::string>{"finds its invariant `calm` violated",
+                                         "ends because of its invariant `calm`"});
+}
+
 TEST_CASE("what the mission does not need is said not to matter") {
   const auto trace = traceOf(kRobot + R"((defevent noise :effects (place Dock))
 (defskill idle :monitor t :success ok :body ((^ 1) (set (lid Open)) (success ok)))
