@@ -44,6 +44,39 @@ bool asksFirstStep(const Expr& formula) {
   return formula.operands.empty() || std::ranges::any_of(formula.operands, asksFirstStep);
 }
 
+/// How a formula is tested: whether it should be true, and at each of the steps or at one.
+struct Aspect {
+  bool value = true;
+  bool each = true;
+};
+
+/// Whether a formula is about a step at which some event does not occur.
+bool asksForSilence(const Expr& formula, Aspect now) {
+  const auto asks = [&](std::size_t i, Aspect aspect) {
+    return asksForSilence(formula.operands[i], aspect);
+  };
+  const auto any = [&](Aspect aspect) {
+    return std::ranges::any_of(formula.operands,
+                               [&](const Expr& each) { return asksForSilence(each, aspect); });
+  };
+  const Aspect opposite{!now.value, now.each};
+  const Aspect atEach{now.value, now.value}; // of `not [] P`, P is false at one step
+  const Aspect atOne{now.value, !now.value};
+  switch (formula.kind) {
+  case ExprKind::Occurs: return now.value == now.each;
+  case ExprKind::Not: return any(opposite);
+  case ExprKind::Implies: return asks(0, opposite) || asks(1, now);
+  case ExprKind::Equivalent: return any(now) || any(opposite);
+  case ExprKind::Globally: return any(atEach);
+  case ExprKind::Finally: return any(atOne);
+  case ExprKind::Until:
+  case ExprKind::WeakUntil: return asks(0, atEach) || asks(1, atOne);
+  case ExprKind::Release:
+  case ExprKind::StrongRelease: return asks(0, atOne) || asks(1, atEach);
+  default: return any(now);
+  }
+}
+
 /// Whether the translation makes steps that the interpreter does not: choices of initial values,
 /// and steps of processes that observe durations and moves.
 bool hasOtherSteps(const Script& script) {
@@ -253,7 +286,8 @@ std::optional<bool> holdsInRuns(const syntax::Property& property, const Script& 
                                 const Runs& runs, const Seen& seen) {
   const Expr& formula = property.operands[0];
   if (hasNext(formula) && hasOtherSteps(script)) return std::nullopt;
-  if (asksFirstStep(formula) && script.eventsBecomeDue) return std::nullopt;
+  if (script.eventsBecomeDue && (asksFirstStep(formula) || asksForSilence(formula, {})))
+    return std::nullopt;
   const auto violated = Search(countedBy(property), script, runs, seen).findsRun({&formula, false});
   if (!violated) return std::nullopt;
   return !*violated;
