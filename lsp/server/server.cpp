@@ -207,7 +207,7 @@ void Server::handleRequest(rpc::Received& received) {
   auto method = registry.methods.find(message.method);
   if (method == registry.methods.end())
     return refuse(rpc::ErrorCode::MethodNotFound, "there is no method " + message.method);
-  if (needsLostText(message)) return refuseLost(message);
+  if (const auto* lost = lostTextFor(message)) return refuseLost(message, *lost);
   dispatch(received, method->second);
 }
 

@@ -85,8 +85,8 @@ private:
   void changed();
   void refuseStale(const std::string& uri, std::uint64_t order);
   void synchronized(const rpc::Message& message);
-  [[nodiscard]] bool needsLostText(const rpc::Message& request) const;
-  void refuseLost(const rpc::Message& request);
+  [[nodiscard]] const InexactText* lostTextFor(const rpc::Message& request) const;
+  void refuseLost(const rpc::Message& request, const InexactText& lost);
 
   // server_lifecycle.cpp
   Json initialize(const Json& params);

@@ -53,8 +53,8 @@ void Server::gatherEdits(rpc::Message& edit) {
 void Server::handleText(rpc::Received& received) {
   rpc::Message& message = received.message;
   if (isEdit(message) && !workspace.isIncluded(message.params)) gatherEdits(message);
-  if (const auto file = documentPath(message.params); file && Workspace::isData(*file))
-    return handleData(message);
+  const auto path = documentPath(message.params);
+  if (path && Workspace::isData(*path)) return handleData(message);
   Workspace::Outcome outcome;
   auto before = workspace.snapshot();
   if (message.method == "textDocument/didOpen")
@@ -67,11 +67,11 @@ void Server::handleText(rpc::Received& received) {
     outcome = workspace.saved(message.params);
   else
     return log.write("unsupported notification: " + message.method);
-  const auto path = documentPath(message.params);
-  if (!outcome)
+  if (!outcome) {
+    const auto* lost = path ? lostIn(workspace.inexactTexts(), *path) : nullptr;
     announcer.show(Announcer::Kind::Error,
-                   outcome.error() +
-                       (path && workspace.isLost(*path) ? resynchronizer.remedy() : ""));
+                   outcome.error() + (lost ? resynchronizer.remedy(*lost) : ""));
+  }
   if (message.method == "textDocument/didChange")
     refuseStale(uriOf(message.params), received.order);
   std::vector<Path> texts;
@@ -94,25 +94,27 @@ void Server::synchronized(const rpc::Message& message) {
   resynchronizer.update(inexact);
 }
 
-/// Whether a request is about a lost text, or edits any texts of the program.
-bool Server::needsLostText(const rpc::Message& request) const {
-  const auto isLost = [](const auto& entry) { return entry.second.isLost; };
-  if (std::ranges::none_of(workspace.inexactTexts(), isLost)) return false;
+/// The lost text that a request is about, or that it could edit; null if there is none.
+const InexactText* Server::lostTextFor(const rpc::Message& request) const {
+  const auto& inexact = workspace.inexactTexts();
+  const auto lost =
+      std::ranges::find_if(inexact, [](const auto& entry) { return entry.second.isLost; });
+  if (lost == inexact.end()) return nullptr;
   if (request.method == "textDocument/rename" || request.method == "workspace/willRenameFiles")
-    return true;
+    return &lost->second;
   const auto path = documentPath(request.params);
-  return path && workspace.isLost(*path);
+  return path ? lostIn(inexact, *path) : nullptr;
 }
 
 /// Clients ignore an answer with `ContentModified` without a message; the user has had one.
-void Server::refuseLost(const rpc::Message& request) {
+void Server::refuseLost(const rpc::Message& request, const InexactText& lost) {
   if (!pending.finish(request.id)) return;
   if (request.method == "textDocument/diagnostic") {
-    const Json report{{"kind", "full"}, {"items", resynchronizer.diagnostics()}};
+    const Json report{{"kind", "full"}, {"items", resynchronizer.diagnostics(lost)}};
     return outbox.send(rpc::reply(request.id, report));
   }
-  const auto why = "the text in the editor is not known" + resynchronizer.remedy();
-  outbox.send(rpc::replyError(request.id, {rpc::ErrorCode::ContentModified, why}));
+  outbox.send(rpc::replyError(request.id,
+                              {rpc::ErrorCode::ContentModified, resynchronizer.explanation(lost)}));
 }
 
 /// An open platform file is read in place of the one on the disk.

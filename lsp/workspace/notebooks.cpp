@@ -8,8 +8,6 @@ namespace proskill::lsp {
 
 namespace {
 
-constexpr auto kReopen = "; please close the notebook and open it again";
-
 const Json& listAt(const Json& json, std::initializer_list<const char*> path) {
   static const Json none = Json::array();
   const auto& found = rpc::memberAt(json, path);
@@ -104,7 +102,7 @@ void Notebooks::restructure(Notebook& notebook, const Json& structure, bool hasH
                     count.get<std::size_t>() <= cells.size() - start.get<std::size_t>();
   if (!fits) {
     outcome.problems.push_back("a change of a notebook's cells does not fit them" +
-                               std::string(kReopen));
+                               std::string(kReopenNotebook));
     return;
   }
   const auto at = cells.begin() + start.get<std::ptrdiff_t>();
@@ -143,7 +141,7 @@ void Notebooks::changeCell(Notebook& notebook, const Json& change, bool hasHalve
   const auto changed = workspace.change({{"textDocument", change["document"]},
                                          {"contentChanges", rpc::memberAt(change, {"changes"})}},
                                         hasHalves);
-  if (!changed) outcome.problems.push_back(changed.error() + kReopen);
+  if (!changed) outcome.problems.push_back(changed.error() + kReopenNotebook);
 }
 
 void Notebooks::closeCell(Notebook& notebook, const Json& text, Outcome& outcome) {
@@ -161,7 +159,8 @@ void Notebooks::join(const Path& path, Outcome& outcome) {
   const auto& notebook = notebooks.at(path);
   std::vector<Path> cells;
   for (const auto& cell : notebook.cells)
-    if (notebook.open.contains(cell) && !workspace.isLost(cell)) cells.push_back(cell);
+    if (notebook.open.contains(cell) && !lostIn(workspace.inexactTexts(), cell))
+      cells.push_back(cell);
   if (workspace.join(path, notebook.uri, cells))
     outcome.changed.insert(outcome.changed.begin(), path);
 }

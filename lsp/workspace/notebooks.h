@@ -9,6 +9,9 @@
 
 namespace proskill::lsp {
 
+/// What makes a lost cell known again, as the end of a sentence for the user.
+inline constexpr const char* kReopenNotebook = "; please close the notebook and open it again";
+
 /// The notebooks that the client has open. The ProSkill cells of a notebook form one program, in
 /// the order of the notebook. The workspace holds the cells as texts, and for each notebook a text
 /// of the server's own that includes them. For the main thread.

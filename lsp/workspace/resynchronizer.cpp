@@ -1,6 +1,7 @@
 #include "lsp/workspace/resynchronizer.h"
 
 #include "lsp/protocol/numbers.h"
+#include "lsp/workspace/notebooks.h"
 
 #include <algorithm>
 #include <utility>
@@ -11,11 +12,6 @@ namespace {
 
 constexpr const char* kRegistration = "proskill/wholeTexts";
 constexpr const char* kDidChange = "textDocument/didChange";
-
-bool isLost(const InexactTexts& texts, const std::filesystem::path& path) {
-  const auto found = texts.find(path);
-  return found != texts.end() && found->second.isLost;
-}
 
 /// Cells of notebooks are synchronized by messages of their own.
 bool isAskedFor(const InexactTexts::value_type& text) {
@@ -41,9 +37,9 @@ void Resynchronizer::update(const InexactTexts& now) {
                   {{"uri", uri}, {"diagnostics", std::move(list)}});
   };
   for (const auto& [path, text] : last)
-    if (text.isLost && !isLost(now, path)) push(text.uri, Json::array());
+    if (text.isLost && !lostIn(now, path)) push(text.uri, Json::array());
   for (const auto& [path, text] : now)
-    if (text.isLost && !isLost(last, path)) push(text.uri, diagnostics());
+    if (text.isLost && !lostIn(last, path)) push(text.uri, diagnostics(text));
   last = now;
   askForWholeTexts(client.dynamicTexts && std::ranges::any_of(now, isAskedFor));
 }
@@ -58,17 +54,22 @@ void Resynchronizer::askForWholeTexts(bool wanted) {
            {{"unregisterations", Json::array({{{"id", kRegistration}, {"method", kDidChange}}})}});
 }
 
-std::string Resynchronizer::remedy() const {
+const char* Resynchronizer::remedy(const InexactText& lost) const {
+  if (lost.kind == ide::TextKind::Cell) return kReopenNotebook;
   return client.dynamicTexts ? "; the editor is asked to send the whole text with the next edit"
                              : "; please close the file and open it again";
 }
 
-Json Resynchronizer::diagnostics() const {
+std::string Resynchronizer::explanation(const InexactText& lost) const {
+  return std::string("the text in the editor is not known to ProSkill") + remedy(lost);
+}
+
+Json Resynchronizer::diagnostics(const InexactText& lost) const {
   const Json start{{"line", 0}, {"character", 0}};
   return Json::array({{{"range", {{"start", start}, {"end", start}}},
                        {"severity", protocol::DiagnosticSeverity::Error},
                        {"source", "proskill"},
-                       {"message", "the text in the editor is not known to ProSkill" + remedy()}}});
+                       {"message", explanation(lost)}}});
 }
 
 } // namespace proskill::lsp

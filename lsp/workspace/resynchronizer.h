@@ -20,9 +20,10 @@ public:
   /// the diagnostic of lost texts to clients that do not pull.
   void update(const InexactTexts& now);
   /// What makes a lost text known again, as the end of a sentence for the user.
-  [[nodiscard]] std::string remedy() const;
+  [[nodiscard]] const char* remedy(const InexactText& lost) const;
+  [[nodiscard]] std::string explanation(const InexactText& lost) const;
   /// The only diagnostics of a lost text.
-  [[nodiscard]] Json diagnostics() const;
+  [[nodiscard]] Json diagnostics(const InexactText& lost) const;
 
 private:
   void askForWholeTexts(bool wanted);

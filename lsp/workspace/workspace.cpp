@@ -60,9 +60,9 @@ void Workspace::setStyle(bool now) {
   if (std::exchange(style, now) != now) startAfresh();
 }
 
-bool Workspace::isLost(const fs::path& path) const {
-  const auto found = inexact.find(path);
-  return found != inexact.end() && found->second.isLost;
+const InexactText* lostIn(const InexactTexts& texts, const fs::path& path) {
+  const auto found = texts.find(path);
+  return found != texts.end() && found->second.isLost ? &found->second : nullptr;
 }
 
 bool Workspace::isIncluded(const Json& params) const {
@@ -94,7 +94,7 @@ Workspace::Outcome Workspace::open(const Json& params, ide::TextKind kind, bool 
 Workspace::Outcome Workspace::change(const Json& params, bool hasHalves) {
   auto path = documentPath(params);
   if (!path) return std::unexpected(path.error().message);
-  if (isLost(*path)) return restore(*path, params, hasHalves);
+  if (lostIn(inexact, *path)) return restore(*path, params, hasHalves);
   auto found = texts.find(*path);
   if (found == texts.end()) return std::unexpected("a change of a document that is not open");
   auto& text = found->second;
@@ -139,7 +139,7 @@ Workspace::Outcome Workspace::restore(const Path& path, const Json& params, bool
 Workspace::Outcome Workspace::close(const Json& params) {
   auto path = documentPath(params);
   if (!path) return std::unexpected(path.error().message);
-  if (!texts.contains(*path) && !isLost(*path))
+  if (!texts.contains(*path) && !lostIn(inexact, *path))
     return std::unexpected("a document was closed that is not open");
   close(*path);
   return *path;

@@ -37,6 +37,10 @@ struct InexactText {
 };
 using InexactTexts = std::map<std::filesystem::path, InexactText>;
 
+/// The text of this path if it is lost; otherwise null.
+[[nodiscard]] const InexactText* lostIn(const InexactTexts& texts,
+                                        const std::filesystem::path& path);
+
 /// The texts that the client has open and the files of its folders. The main thread changes them
 /// and takes snapshots.
 class Workspace {
@@ -72,8 +76,6 @@ public:
   [[nodiscard]] const InexactTexts& inexactTexts() const { return inexact; }
   /// Whether an edit of parts is in a whole text already that came before it.
   [[nodiscard]] bool isIncluded(const Json& params) const;
-  /// Whether a document is open in the client, but its text is not known.
-  [[nodiscard]] bool isLost(const std::filesystem::path& path) const;
 
   /// Combines the cells of a notebook to one program, in this order.
   /// \return whether the program has changed

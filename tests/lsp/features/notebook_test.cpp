@@ -262,6 +262,17 @@ TEST_CASE("a notebook that is closed leaves nothing, whatever is said of its cel
   CHECK(notebook.held() == std::vector{cellUri("a")});
 }
 
+TEST_CASE("the user is told how to get a lost cell back, whatever the client does for files") {
+  const Json dynamic{{"textDocument", {{"synchronization", {{"dynamicRegistration", true}}}}}};
+  Notebook notebook({{"a", kLamp}}, {.pull = true, .capabilities = dynamic});
+  notebook.edit("a", rangeOf(99, 0, 0), "x");
+  const auto report =
+      notebook.session.result("textDocument/diagnostic", {{"textDocument", identifier("a")}});
+  REQUIRE(report["items"].size() == 1);
+  CHECK(report["items"][0]["message"].get<std::string>().ends_with(
+      "; please close the notebook and open it again"));
+}
+
 TEST_CASE("what is wrong with a message about a notebook is told, and nothing is lost") {
   Notebook notebook({{"a", kLamp}, {"b", kSwitch}});
   auto& session = notebook.session;
