@@ -65,6 +65,24 @@ describe('answers that come late', () => {
     await it.locator('#step-1.current').waitFor();
   });
 
+  test('keys step through the trace that is shown if the other one is long in coming', async () => {
+    const it = await page();
+    await openTrace(it, served.url);
+    await it.locator('.steps').press('Home');
+    const [slow] = traced.slice(-1);
+    const held = await hold(it, 'trace', ({ name }) => name === slow.name);
+    await click(it, slow);
+    await held.arrived;
+    await it.evaluate(() => {
+      const now = performance.now.bind(performance);
+      performance.now = () => now() + 6000;
+    });
+    await it.locator('.steps').press('ArrowDown');
+    await it.locator('#step-1.current').waitFor();
+    held.release();
+    await eventually(async () => assert.equal(await shown(it), slow.name));
+  });
+
   test('a verification that ends meanwhile does not undo a click', async () => {
     const it = await page();
     await openTrace(it, served.url);

@@ -1,5 +1,5 @@
 /** Older keys, in milliseconds, were meant for something else. */
-const kOldest = 5000;
+export const kOldest = 5000;
 
 /** Keys that are pressed before the view that the user waits for is there. They are passed on to it, so that none is lost. */
 export class EarlyKeys {

@@ -7,6 +7,7 @@ import { groups, isRelevant } from '../model/filter.ts';
 import { sameMoment, windowOf, windowWords } from '../model/time.ts';
 import { Rows } from '../model/virtual.ts';
 import { h, onceAFrame, prose } from './dom.ts';
+import { kOldest } from './early_keys.ts';
 import { icon } from './icons.ts';
 
 const heights = { head: 30, step: 26, why: 20, change: 22, other: 26 };
@@ -52,6 +53,7 @@ export class StepList {
   private readonly folded = new Set<number>();
   private current = -1;
   private heldKeys: string[] | null = null;
+  private heldUntil = 0;
   private readonly draw = onceAFrame(() => this.drawNow());
 
   /** `prefix` of the steps' ids, for pages with several lists. */
@@ -271,9 +273,10 @@ export class StepList {
     this.go(index);
   }
 
-  /** Keys wait until `releaseKeys`: they are meant for a trace that is not here yet. */
+  /** Keys wait until `releaseKeys`, if that comes soon: they are meant for a trace that is not here yet. */
   holdKeys(): void {
     this.heldKeys ??= [];
+    this.heldUntil = performance.now() + kOldest;
   }
 
   releaseKeys(): void {
@@ -285,6 +288,7 @@ export class StepList {
   private key(event: KeyboardEvent): void {
     const { key } = event;
     if (event.ctrlKey || event.metaKey || event.altKey || (key !== 'Enter' && this.wayOf(key) === undefined)) return;
+    if (performance.now() > this.heldUntil) this.releaseKeys();
     this.heldKeys ? this.heldKeys.push(key) : this.take(key);
     event.preventDefault();
   }
