@@ -206,6 +206,15 @@ export class Editor {
     }, timeout);
   }
 
+  /** The frame with the trace of a property, at its first step. */
+  async openTrace(property) {
+    await this.command('ProSkill: Open Trace');
+    await this.answer(property);
+    const frame = await this.panel('.trace-view');
+    await frame.locator('#step-0.current').waitFor();
+    return frame;
+  }
+
   async picture(name) {
     ++this.taken;
     await this.page.screenshot({ path: `${this.pictures}/${name}.png` });

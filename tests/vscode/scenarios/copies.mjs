@@ -2,7 +2,7 @@
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { equal, expect } from '../expect.mjs';
-import { trust } from './folders.mjs';
+import { kLamp, trust } from './folders.mjs';
 
 const kFolder = 'copies';
 const kFile = `${kFolder}/lamp.proskill`;
@@ -12,13 +12,6 @@ const kProperty = 'dark';
 const kDuration = /\s*1 to 2 s\s*$/;
 const kWords = ['typed ', 'at ', 'three ', 'carets'];
 
-const kLamp = `(defsv lamp :states (On Off) :init Off :transitions :all)
-(defskill light
-  :time_interval [1,2]
-  :action (light)
-  :success lit
-    (:effects (lamp On)))
-`;
 const kMission = `(defskill mission
   :success done
   :body
@@ -52,10 +45,7 @@ async function end({ editor, root }) {
 
 /** The trace at its second step. */
 async function openTrace(editor) {
-  await editor.command('ProSkill: Open Trace');
-  await editor.answer(kProperty);
-  const frame = await editor.panel('.trace-view');
-  await frame.locator('#step-0.current').waitFor();
+  const frame = await editor.openTrace(kProperty);
   await frame.locator('.steps').press('ArrowDown');
   await frame.locator('#step-1.current').waitFor();
   return frame;
@@ -153,7 +143,7 @@ export const scenarios = {
       await writeProperty(other, '(lamp Off)');
       await second.locator('#step-1.current').waitFor();
       await other.save();
-      await other.picture('second_window');
+      await other.picture('second_window-saved');
       await other.closeAll();
     });
     await frame.locator('#step-1.current').waitFor();

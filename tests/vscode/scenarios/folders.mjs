@@ -12,14 +12,14 @@ const kMain = 'main.proskill';
 
 const kParts = 'Teile ä #2 50%.proskill';
 
-/** Two files, with line ends of Windows. The trace goes from one to the other. */
-const kLamp = `(defsv lamp :states (On Off) :init Off :transitions :all)
+export const kLamp = `(defsv lamp :states (On Off) :init Off :transitions :all)
 (defskill light
   :time_interval [1,2]
   :action (light)
   :success lit
     (:effects (lamp On)))
-`.replaceAll('\n', '\r\n');
+`;
+/** It includes the lamp, and the trace goes from one file to the other. Both have line ends of Windows. */
 const kText = `(include "${kParts}")
 
 (defskill mission
@@ -43,7 +43,7 @@ function writeFolders() {
   const home = mkdtempSync(join(tmpdir(), 'proskill-folders-'));
   for (const name of [kNorth, kSouth]) mkdirSync(join(home, name));
   writeFileSync(join(home, kNorth, kMain), kText);
-  writeFileSync(join(home, kNorth, kParts), kLamp);
+  writeFileSync(join(home, kNorth, kParts), kLamp.replaceAll('\n', '\r\n'));
   writeFileSync(join(home, kSouth, kMain), kOther);
   writeFileSync(join(home, kSouth, '.proskill.json'), JSON.stringify({ severity: { PS0612: 'error' } }));
   return home;
@@ -56,10 +56,7 @@ function writeWorkspace(home, names) {
 }
 
 async function open(editor, page, folder) {
-  await editor.press('Control+p');
-  const input = editor.quickInput().locator('input.input');
-  await input.fill(kMain);
-  await editor.quickInput().locator(`.monaco-list-row[aria-label*="${folder}"]`).first().click();
+  await editor.pick('Control+p', kMain, `${kMain} ${folder}`, '');
   await textOf(page, folder, kMain).locator('.view-line').first().waitFor();
 }
 
@@ -116,10 +113,7 @@ export const scenarios = {
       equal('errors in the other folder', await textOf(page, kNorth, kMain).locator('.squiggly-error').count(), 1);
       await editor.command('Testing: Focus on Test Explorer View');
       await expect('both programs, told apart', async () => JSON.stringify(await programs(page)) === JSON.stringify([`${kNorth}/${kMain}`, `${kSouth}/${kMain}`]));
-      await editor.command('ProSkill: Open Trace');
-      await editor.answer('dark');
-      const frame = await editor.panel('.trace-view');
-      await frame.locator('#step-0.current').waitFor();
+      const frame = await editor.openTrace('dark');
       await editor.press('End');
       const place = await expect('the last step', async () => /^(.*):(\d+)$/.exec(await frame.locator('.step.current .place').textContent()));
       equal('its file', place[1], kParts);

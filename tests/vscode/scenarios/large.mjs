@@ -67,10 +67,7 @@ export const scenarios = {
     const lines = text.split('\n');
     await editor.goTo(lines.findIndex((it) => it.startsWith('(defproperty')) + 1); // what is in view is verified first
     await editor.statusSays(/bad/, 120_000);
-    await editor.command('ProSkill: Open Trace');
-    await editor.answer(kProperty);
-    const frame = await editor.panel('.trace-view');
-    await frame.locator('#step-0.current').waitFor();
+    const frame = await editor.openTrace(kProperty);
     await frame.locator('.steps').press('ArrowDown');
     await frame.locator('#step-1.current').waitFor();
     await editor.openFile(kFile);

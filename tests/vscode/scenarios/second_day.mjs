@@ -82,14 +82,6 @@ async function showPrograms({ editor, page }) {
   await editor.press('Control+ArrowLeft', 'Home');
 }
 
-async function openTrace({ editor }) {
-  await editor.command('ProSkill: Open Trace');
-  await editor.answer(kProperty);
-  const frame = await editor.panel('.trace-view');
-  await frame.locator('#step-0.current').waitFor();
-  return frame;
-}
-
 /** The lines with a mark of the Testing view beside them. */
 const marked = (page, file) => page.locator(`.monaco-editor[data-uri$="${file}"]`).first().evaluate((editor) => {
   const lines = new Map([...editor.querySelectorAll('.margin-view-overlays > div')]
@@ -156,7 +148,7 @@ export const scenarios = {
   async quick_steps(world) {
     const { editor } = world;
     await begin(world);
-    const frame = await openTrace(world);
+    const frame = await world.editor.openTrace(kProperty);
     await new Promise((resolve) => setTimeout(resolve, 2200)); // the editor does not follow within two seconds after an edit
     for (let round = 0; round < 4; ++round) {
       for (let i = 0; i < 5; ++i) await editor.press('ArrowDown');
@@ -168,7 +160,7 @@ export const scenarios = {
   async covered(world) {
     const { editor, page } = world;
     await begin(world);
-    const frame = await openTrace(world);
+    const frame = await world.editor.openTrace(kProperty);
     await editor.command('View: Move Editor into Previous Group');
     await expect('one group', async () => (await page.locator('.editor-group-container').count()) === 1);
     await frame.locator('.steps').focus();
@@ -187,7 +179,7 @@ export const scenarios = {
   async renamed_program(world) {
     const { editor, page } = world;
     await begin(world);
-    const frame = await openTrace(world);
+    const frame = await world.editor.openTrace(kProperty);
     for (let i = 0; i < 5; ++i) await editor.press('ArrowDown');
     await frame.locator('#step-5.current').waitFor();
     await editor.press('Control+1');

@@ -47,10 +47,7 @@ export const scenarios = {
     writeFileSync(join(root, 'lift/wide.proskill'), kWide);
     await editor.openFile('lift/wide.proskill');
     await editor.statusSays(/\d+ of \d+ good/, 60_000);
-    await editor.command('ProSkill: Open Trace');
-    await editor.answer('wide.can_succeed');
-    const frame = await editor.panel('.trace-view');
-    await frame.locator('#step-0.current').waitFor();
+    const frame = await editor.openTrace('wide.can_succeed');
     await frame.locator('.steps').press('End');
     await frame.locator('#step-61.current').waitFor();
     await frame.locator('.steps').press('ArrowUp');
@@ -69,9 +66,7 @@ export const scenarios = {
   async filters({ editor, page, proskill, root }) {
     await editor.openFile(kDrone);
     await editor.statusSays(/\d+ bad, \d+ warnings?/);
-    await editor.command('ProSkill: Open Trace');
-    await editor.answer(failing);
-    const frame = await editor.panel('.trace-view');
+    const frame = await editor.openTrace(failing);
     await steps(frame).first().waitFor();
     await expect('the keyboard in the list of steps', () => frame.evaluate(() => document.hasFocus() && document.activeElement.matches('.steps')));
     await editor.press('ArrowDown');

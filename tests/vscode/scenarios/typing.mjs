@@ -18,10 +18,7 @@ export const scenarios = {
     await editor.closeAll(); // a panel of another scenario would be taken for the new one
     await editor.openFile(kFile);
     await editor.statusSays(/\d+ bad(?!.*outdated)/, 60_000);
-    await editor.command('ProSkill: Open Trace');
-    await editor.answer(kProperty);
-    const frame = await editor.panel('.trace-view');
-    await frame.locator('#step-0.current').waitFor();
+    const frame = await editor.openTrace(kProperty);
     await frame.locator('.steps').press('ArrowDown');
     await frame.locator('#step-1.current').waitFor();
     await editor.openFile(kFile);
@@ -69,9 +66,7 @@ export const scenarios = {
     await editor.openFile('drone/drone.proskill');
     await editor.statusSays(/\d+ bad, \d+ warnings?$/, 60_000);
     await editor.goTo(161, 3);
-    await editor.command('ProSkill: Open Trace');
-    await editor.answer(failing);
-    const before = await editor.panel('.trace-view');
+    const before = await editor.openTrace(failing);
     await before.locator('.steps').press('ArrowDown');
     await before.locator('#step-1.current').waitFor();
     await editor.command('Testing: Focus on Test Explorer View');
@@ -100,9 +95,7 @@ export const scenarios = {
     await editor.closeAll();
     await editor.openFile('drone/drone.proskill');
     await editor.statusSays(/\d+ bad, \d+ warnings?$/, 60_000);
-    await editor.command('ProSkill: Open Trace');
-    await editor.answer(failing);
-    const before = await editor.panel('.trace-view');
+    const before = await editor.openTrace(failing);
     await before.locator('.steps').press('ArrowDown');
     await before.locator('#step-1.current').waitFor();
     await editor.press('Control+1');
