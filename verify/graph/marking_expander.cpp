@@ -26,7 +26,7 @@ bool branches(const Path& path) {
 } // namespace
 
 unsigned ownerOf(const Ranks& ranks, std::span<const Word> marking) {
-  const std::uint64_t hash = hashOfWords(marking);
+  const std::uint64_t hash = hashOfAll(marking);
   return static_cast<unsigned>((hash >> 32) * ranks.count() >> 32);
 }
 

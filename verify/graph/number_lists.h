@@ -20,11 +20,10 @@ public:
   };
 
   Added add(std::span<const std::uint32_t> list) {
-    std::uint64_t hash = 0;
-    for (const auto number : list) hash = mix(hash, number);
     const auto next = size();
-    const auto id = table.findOrAdd(
-        hash, next, [&](std::uint32_t other) { return std::ranges::equal(at(other), list); });
+    const auto id = table.findOrAdd(hashOfAll(list), next, [&](std::uint32_t other) {
+      return std::ranges::equal(at(other), list);
+    });
     if (id != next) return {id, false};
     items.insert(items.end(), list.begin(), list.end());
     ends.push_back(items.size());

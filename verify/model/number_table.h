@@ -3,7 +3,7 @@
 #include "verify/model/system.h"
 
 #include <cstdint>
-#include <span>
+#include <ranges>
 #include <vector>
 
 /// Hash tables that give each item a number once. The items are kept elsewhere.
@@ -14,10 +14,10 @@ namespace proskill::verify {
   return hash ^ (hash >> 29);
 }
 
-/// The hash of some words. \param seed what else it depends on
-[[nodiscard]] inline std::uint64_t hashOfWords(std::span<const Word> words,
-                                               std::uint64_t seed = 0) {
-  for (const auto word : words) seed = mix(seed, word);
+/// The hash of some integers. \param seed what else it depends on
+[[nodiscard]] std::uint64_t hashOfAll(const std::ranges::input_range auto& numbers,
+                                      std::uint64_t seed = 0) {
+  for (const auto number : numbers) seed = mix(seed, static_cast<std::uint64_t>(number));
   return mix(seed, seed >> 32);
 }
 

@@ -102,7 +102,7 @@ void RankExplorer::store(NodePlace from) {
 }
 
 unsigned RankExplorer::ownerOf(const Word* state) const {
-  const std::uint64_t hash = hashOfWords({state, system.storedWords});
+  const std::uint64_t hash = hashOfAll(std::span(state, system.storedWords));
   return static_cast<unsigned>((hash >> 32) * ranks.count() >> 32);
 }
 

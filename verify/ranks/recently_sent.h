@@ -32,7 +32,7 @@ private:
   static constexpr std::size_t kSlots = std::size_t{1} << 15;
 
   [[nodiscard]] std::size_t slotOf(const Word* state, ZoneId zone) const {
-    return hashOfWords({state, words}, zone) % kSlots;
+    return hashOfAll(std::span(state, words), zone) % kSlots;
   }
 
   std::uint32_t words;

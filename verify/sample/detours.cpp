@@ -9,11 +9,11 @@ namespace proskill::verify {
 
 std::vector<Detour> detoursOf(const System& system, std::vector<Word> state, const Steps& steps,
                               bool last) {
-  std::vector<std::uint64_t> places{hashOfWords(state)};
+  std::vector<std::uint64_t> places{hashOfAll(state)};
   std::unordered_map<std::uint64_t, std::size_t> lastAt{{places[0], 0}};
   for (std::size_t i = 0; i + (last ? 0 : 1) < steps.size(); ++i) {
     if (fire(system, steps[i], state.data()) != Outcome::Done) break;
-    places.push_back(hashOfWords(state));
+    places.push_back(hashOfAll(state));
     lastAt[places.back()] = i + 1;
   }
   std::vector<Detour> all;

@@ -141,7 +141,7 @@ Steps RandomRuns::stepsSoFar() const {
 
 /// Whether the run only repeats what it has done, as after the end of a mission.
 bool RandomRuns::isIdle() {
-  const std::uint64_t hash = hashOfWords(chance.moment().state);
+  const std::uint64_t hash = hashOfAll(chance.moment().state);
   auto& slot = visited[hash % kVisited];
   repeated = std::exchange(slot, hash) == hash ? repeated + 1 : 0;
   return repeated > kMostRepeated;

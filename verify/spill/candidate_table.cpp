@@ -13,7 +13,7 @@ CandidateTable::CandidateTable(std::uint32_t wordsOfEach, std::uint64_t bytes)
 }
 
 std::uint64_t CandidateTable::hashOf(const Word* state, ZoneId zone) const {
-  return hashOfWords({state, words}, zone);
+  return hashOfAll(std::span(state, words), zone);
 }
 
 void CandidateTable::add(const Word* state, ZoneId zone, const Discovery& how) {

@@ -32,11 +32,9 @@ std::uint32_t FiringDomains::signature(bool urgent, const std::vector<Transition
 }
 
 std::uint32_t FiringDomains::signatureNumber(Signature of) {
-  std::uint64_t hash = mix(0, of.urgent);
-  for (auto delay : of.delays) hash = mix(hash, delay);
   const auto next = static_cast<std::uint32_t>(signatures.size());
-  auto id =
-      table.findOrAdd(hash, next, [&](std::uint32_t other) { return signatures[other] == of; });
+  auto id = table.findOrAdd(hashOfAll(of.delays, of.urgent ? 1 : 0), next,
+                            [&](std::uint32_t other) { return signatures[other] == of; });
   if (id == next) signatures.push_back(std::move(of));
   return id;
 }

@@ -5,7 +5,9 @@
 
 namespace proskill::verify {
 
-std::uint64_t StateStore::hashOf(const Word* state) const { return hashOfWords({state, words}); }
+std::uint64_t StateStore::hashOf(const Word* state) const {
+  return hashOfAll(std::span(state, words));
+}
 
 bool StateStore::isEqual(const Word* state, StateId other) const {
   const Word* known = at(other);
@@ -24,9 +26,7 @@ StateStore::Added StateStore::add(const Word* state) {
 }
 
 std::uint64_t ZoneStore::hashOf(std::span<const Bound> zone) {
-  std::uint64_t hash = zone.size();
-  for (auto entry : zone) hash = mix(hash, static_cast<std::uint32_t>(entry));
-  return mix(hash, hash >> 32);
+  return hashOfAll(zone, zone.size());
 }
 
 bool ZoneStore::isEqual(std::span<const Bound> zone, ZoneId other) const {
