@@ -18,6 +18,8 @@ namespace {
 constexpr const char* kThisMachine = "127.0.0.1";
 /// How many participants of this machine, beyond those of multicast, are looked for by number.
 constexpr std::uint32_t kPeers = 8;
+/// The patience with reliable readers that have not got all messages when a node ends.
+const eprosima::fastrtps::Duration_t kLastMessages(0.5);
 
 void keepToLoopback(DomainParticipantQos& qos, std::uint32_t domain) {
   const auto transport = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
@@ -79,6 +81,7 @@ bool Node::join(const NodeSettings& settings) {
 
 Node::~Node() {
   if (!participant) return;
+  if (publisher) publisher->wait_for_acknowledgments(kLastMessages);
   participant->delete_contained_entities();
   DomainParticipantFactory::get_instance()->delete_participant(participant);
 }

@@ -6,6 +6,7 @@ import json
 import os
 import sys
 import threading
+import time
 from typing import Any, BinaryIO, Iterator
 
 PROTOCOL = 1
@@ -18,6 +19,7 @@ class Connection:
         self._reader = reader
         self._writer = writer
         self._lock = threading.Lock()
+        self.opened = time.monotonic()  # about when `proskill run` started this process
 
     @classmethod
     def of_this_process(cls) -> Connection:

@@ -15,6 +15,7 @@ from runs import end, main, until
 PLATFORM = {
     "kind": "ros1",
     "patience": 3,
+    "startup": 30,
     "actions": {
         "fly": {"action": "/fly", "type": "actionlib/TestAction", "goal": {"goal": "$how"},
                 "results": {"succeeded": [{"field": "result", "equals": 7, "result": "there"}, {"result": "odd"}],
@@ -121,7 +122,7 @@ class Goals(Case):
 
 class Errors(Case):
     def test_what_ros_does_not_have_is_reported_before_the_run(self):
-        self.mission(OTHERS, startup=3)
+        self.mission(OTHERS, startup=8)
         self.fails("mission.proskill:6:11: error: there is no action server `/fly` of type `actionlib/TestAction`")
         for change, why in (({"type": "actionlib/Tes"}, "there is no type `actionlib/Tes`"),
                             ({"type": "std_msgs/Float32"}, "is not the type of an action"),

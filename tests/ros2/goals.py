@@ -183,7 +183,7 @@ class Goals(Case):
 
 class Errors(Case):
     def test_what_ros_does_not_have_is_reported_before_the_run(self):
-        self.mission(OTHERS, startup=3)
+        self.mission(OTHERS, startup=8)
         self.fails("mission.proskill:6:11: error: there is no action server `/fly` of type `test_msgs/action/Fly` in domain ",
                    " on this machine")
         for change, why in (({"type": "test_msgs/action/Fl"}, "there is no type `test_msgs/action/Fl`"),

@@ -17,7 +17,7 @@ class Unfit(Exception):
 
 
 class Run:
-    """A run of an action, which reports its end once."""
+    """A run of an action. It reports one end, the first."""
 
     def __init__(self, adapter: Adapter, number: int, performer: Any) -> None:
         self._adapter = adapter
@@ -107,9 +107,10 @@ class Adapter:
         self._say("log", text=text)
 
     def end(self, run: Run, kind: str, **members: Any) -> None:
-        """The end of a run; called once."""
+        """The end of a run. The first call counts."""
         with self._changed:
-            self._runs.pop(run.number, None)
+            if self._runs.pop(run.number, None) is None:
+                return
             self._changed.notify_all()
         if not run.abandoned:
             self._connection.send(kind, run=run.number, **members)
@@ -123,7 +124,8 @@ class Adapter:
         self._subject = ""
         for mapping in settings["sensors"]:
             self._sense(mapping)
-        self._await_servers(time.monotonic() + max(settings["startup"] - 2.0, settings["startup"] / 2))
+        patience = max(settings["startup"] - 2.0, settings["startup"] / 2)  # `proskill run` has a little more
+        self._await_servers(self._connection.opened + patience)
 
     def _await_servers(self, end: float) -> None:
         for self._subject, performer in self._performers.items():

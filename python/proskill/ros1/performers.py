@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 import time
+import warnings
 from typing import Any
 
 import rospy
@@ -111,13 +112,15 @@ class ByService:
 
 
 class ByTopic:
-    """A message on a topic. The run has ended when a subscriber was there to get it."""
+    """A message on a topic. The run ends when all subscribers that are there have been sent it."""
 
     def __init__(self, mapping: dict[str, Any], adapter: Any) -> None:
         self._mapping = mapping
         self._class = messages.message_class(mapping["type"])
         messages.check(self._class(), mapping["fields"])
-        self._publisher = rospy.Publisher(mapping["name"], self._class, queue_size=0)
+        with warnings.catch_warnings():  # a queue might not be empty when the process ends
+            warnings.simplefilter("ignore", SyntaxWarning)
+            self._publisher = rospy.Publisher(mapping["name"], self._class, queue_size=None)
         self._patience = adapter.patience
 
     def missing(self) -> str:
@@ -127,17 +130,23 @@ class ByTopic:
         threading.Thread(target=self._publish, args=(run, arguments), daemon=True).start()
 
     def stop(self, run: Run) -> None:
-        pass
+        run.end("stopped")  # also while a subscriber does not read
 
     def _publish(self, run: Run, arguments: list[Any]) -> None:
-        message = messages.fill(self._class(), self._mapping["fields"], arguments)
+        try:
+            message = messages.fill(self._class(), self._mapping["fields"], arguments)
+            self._await_subscriber(run)
+            if run.asked:
+                return
+            if self._publisher.get_num_connections():
+                self._publisher.publish(message)
+                run.end("result", result=self._mapping["result"])
+            else:
+                run.end("failed", text=f"nobody reads the topic `{self._mapping['name']}`")
+        except Exception as error:  # otherwise the skill would wait for ever
+            run.end("failed", text=f"{type(error).__name__}: {error}")
+
+    def _await_subscriber(self, run: Run) -> None:
         end = time.monotonic() + self._patience
         while not self._publisher.get_num_connections() and time.monotonic() < end and not run.asked:
             time.sleep(0.02)
-        if run.asked:
-            run.end("stopped")
-        elif not self._publisher.get_num_connections():
-            run.end("failed", text=f"nobody reads the topic `{self._mapping['name']}`")
-        else:
-            self._publisher.publish(message)
-            run.end("result", result=self._mapping["result"])
