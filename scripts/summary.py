@@ -1,10 +1,12 @@
-"""Ends `./dev test`: what failed before the tests, what succeeded only at its second try, and what was skipped and why.
+"""Ends `./dev test`: what took how long, what failed before the tests, what succeeded only at its second try, and what was
+skipped and why.
 
 usage: ctest … --output-junit FOLDER/tested-NAME.xml | summary.py FOLDER [--not-tried WHAT REASON]… [--failed WHAT OUTPUT]…
 
 Passes on what ctest prints; its closing lines come last, after the lists. With CI=true it fails if a skip is not one
 of tests/skips.txt, whose lines are `test | reason | why it cannot be helped`, with `*` for anything in the first two.
 A test prints `retried: WHAT: WHY` for each second try. Of a failed phase the last lines of the file OUTPUT are repeated.
+FOLDER/phases/begun.txt has lines `SECONDS PHASE`, with the time at which each phase begins; the last one ends now.
 """
 
 import argparse
@@ -13,11 +15,13 @@ import os
 import pathlib
 import re
 import sys
+import time
 import xml.etree.ElementTree
 
 LISTED = pathlib.Path(__file__).resolve().parents[1] / "tests/skips.txt"
 NO_REASON = "it does not say why"
 REPEATED = 30  # lines of a failed phase
+LONGEST = 5  # tests whose times are reported
 CLOSING = re.compile(r"\d+% tests passed|No tests were found")
 
 
@@ -35,6 +39,19 @@ def retries(file):
     for case in xml.etree.ElementTree.parse(file).iter("testcase"):
         for said in re.findall(r"^retried: (.*)$", case.findtext("system-out") or "", re.M):
             yield case.get("name"), said
+
+
+def times(file):
+    """Of each test of one run of ctest."""
+    for case in xml.etree.ElementTree.parse(file).iter("testcase"):
+        yield float(case.get("time", 0)), case.get("name")
+
+
+def durations(begun, since):
+    """The phases, each with its seconds. The last one began `since` seconds ago."""
+    rows = [line.split(maxsplit=1) for line in begun.read_text(encoding="utf-8").splitlines()] if begun.exists() else []
+    ends = [int(row[0]) for row in rows[1:]] + [int(rows[-1][0]) + round(since)] if rows else []
+    return [(name, end - int(start)) for (start, name), end in zip(rows, ends)]
 
 
 def allowed(name, reason, listed):
@@ -66,6 +83,15 @@ def report_failures(failed):
         print("".join(f"  {line}\n" for line in lines[-REPEATED:]), end="")
 
 
+def report_times(phases, tests):
+    if phases:
+        print(f"\nIn {sum(seconds for _, seconds in phases)} s:", ", ".join(f"{name} {seconds} s" for name, seconds in phases))
+    if tests:
+        print("The tests that took longest:")
+    for seconds, name in sorted(tests, reverse=True)[:LONGEST]:
+        print(f"  {seconds:4.0f} s  {name}")
+
+
 def report_retries(found):
     if found:
         print("\nTried twice, because the first try failed:")
@@ -87,9 +113,12 @@ def main():
     options.add_argument("--failed", nargs=2, action="append", default=[])
     options.add_argument("--listed", type=pathlib.Path, default=LISTED)
     chosen = options.parse_args()
+    began = time.monotonic()
     closing = pass_on(sys.stdin)
     runs = list(chosen.folder.glob("tested-*.xml"))  # ctest has now written the last of them
     found = sorted({*(skip for file in runs for skip in skips(file)), *map(tuple, chosen.not_tried)})
+    report_times(durations(chosen.folder / "phases/begun.txt", time.monotonic() - began),
+                 [each for file in runs for each in times(file)])
     report_failures(chosen.failed)
     report_retries(sorted(retry for file in runs for retry in retries(file)))
     report(found)

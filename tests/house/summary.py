@@ -1,7 +1,9 @@
-"""Every skipped test is reported, and with CI=true each must be listed; what failed earlier is said again."""
+"""Every skipped test is reported, and with CI=true each must be listed; what failed earlier is said again, and what took how
+long."""
 
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -9,8 +11,8 @@ import tempfile
 from house import ROOT, finish
 
 SUITE = """<testsuite>
-  <testcase name="editors: emacs" status="notrun"><skipped/><system-out>{said}</system-out></testcase>
-  <testcase name="cli: all is well" status="run"><system-out>skipped: of another test</system-out></testcase>
+  <testcase name="editors: emacs" status="notrun" time="0.1"><skipped/><system-out>{said}</system-out></testcase>
+  <testcase name="cli: all is well" status="run" time="71.6"><system-out>skipped: of another test</system-out></testcase>
 </testsuite>"""
 CTEST = "1/2 Test #1: editors: emacs ...***Skipped\n\n100% tests passed, 0 tests failed out of 2\nTotal Test time\n"
 LISTED = "# why\neditors: * | emacs is * | there is no Emacs\n"
@@ -21,6 +23,8 @@ def run(said, ci, *more):
     with tempfile.TemporaryDirectory() as directory:
         junit, listed = pathlib.Path(directory, "tested-release.xml"), pathlib.Path(directory, "skips.txt")
         listed.write_text(LISTED, encoding="utf-8")
+        pathlib.Path(directory, "phases").mkdir()
+        pathlib.Path(directory, "phases/begun.txt").write_text("3 packages\n7 a long compilation\n107 tests\n", encoding="utf-8")
         summary = subprocess.Popen([sys.executable, "-B", ROOT / "scripts/summary.py", directory, "--listed", listed, *more],
                                    stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=dict(os.environ, CI=ci))
         summary.stdin.write(CTEST[:3])
@@ -44,7 +48,9 @@ def expect(what, holds):
 code, text = run(GOOD, "true")
 expect("a listed skip passes", code == 0)
 expect("it is named with its reason", "editors: emacs\n      emacs is not installed\n" in text)
-expect("what another test prints is no skip", "all is well" not in text)
+expect("what another test prints is no skip", "of another test" not in text)
+expect("the phases are said with their times", re.search(r"\nIn 10\d s: packages 4 s, a long compilation 100 s, tests \d s\n", text))
+expect("the longest tests come first", "longest:\n    72 s  cli: all is well\n     0 s  editors: emacs\n" in text)
 expect("ctest's closing lines come last", text.endswith(CTEST.split("\n\n")[1]) and text.startswith("1/2 Test"))
 expect("another reason fails in CI", run(ODD, "true")[0] == 1)
 expect("another reason passes elsewhere, and is said", run(ODD, "")[0] == 0 and "the moon is full" in run(ODD, "")[1])
@@ -59,4 +65,4 @@ with tempfile.NamedTemporaryFile("w", suffix=".txt") as output:
     code, text = run(GOOD, "", "--failed", "clang-tidy", output.name)
 expect("what failed before the tests fails", code == 1)
 expect("its last lines are repeated", "\nFailed before the tests: clang-tidy\n  warning 70\n" in text and "  warning 99\n" in text)
-finish(found, "13 cases")
+finish(found, "15 cases")
