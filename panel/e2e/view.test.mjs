@@ -218,7 +218,7 @@ describe('the lift, in which two skills want the doors', () => {
     const before = await places();
     writeFileSync(path, text.replace('(serve_call)', '(serve_cal)'));
     await it.locator('.notice', { hasText: 'last valid picture' }).waitFor();
-    assert.match(await it.locator('.state').textContent(), /^building\.proskill:\d+: unknown skill `serve_cal`/);
+    await eventually(async () => assert.match(await it.locator('.state').textContent(), /^building\.proskill:\d+: unknown skill `serve_cal`/));
     assert.equal(await it.locator('.stage g.node').count(), nodes);
     assert.deepEqual(await places(), before, 'no node has moved');
     await shot(it, 'lift_broken');

@@ -55,10 +55,12 @@ function writeWorkspace(home, names) {
   return path;
 }
 
-async function open(editor, page, folder) {
+/** The list still changes while the editor looks for files, and a click may hit the other file of this name. */
+const open = (editor, page, folder) => expect(`${folder}/${kMain} in an editor`, async () => {
   await editor.pick('Control+p', kMain, `${kMain} ${folder}`, '');
-  await textOf(page, folder, kMain).locator('.view-line').first().waitFor();
-}
+  await textOf(page, folder, kMain).locator('.view-line').first().waitFor({ timeout: 10_000 });
+  return true;
+}, 90_000);
 
 /** The editor sometimes misses the folders of a workspace while it starts. */
 const folders = (page) => expect('the folders', async () => {
