@@ -62,7 +62,7 @@ TEST_CASE("the verdicts on random trees are those of an interpreter of ticks") {
   const auto leaves = bridge::Leaves::read(kRandomLeaves);
   REQUIRE(leaves);
   Counts counts;
-  const auto seeds = seedsOr(1, 2000);
+  const auto seeds = seedsOr(1, 1200);
   for (auto seed = seeds.first; seed < seeds.end; ++seed) compare(seed, *leaves, counts);
   INFO(counts.exact << " exact, " << counts.approximate << " approximate, " << counts.refused
                     << " refused, " << counts.tooLarge << " too large");

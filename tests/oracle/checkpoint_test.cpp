@@ -15,8 +15,8 @@ namespace proskill::test::checkpoint_test {
 
 namespace {
 
-constexpr std::uint64_t kModels = 300;
-constexpr std::uint64_t kPrograms = 60;
+constexpr std::uint64_t kModels = 180;
+constexpr std::uint64_t kPrograms = 40;
 constexpr std::uint64_t kMostClasses = 2'000;
 constexpr std::uint64_t kMostOfParts = 40'000; ///< more than is tried with parts
 

@@ -187,7 +187,7 @@ TEST_CASE("engine and oracle agree on random models of independent parts") {
   std::size_t withoutDeadlock = 0;
   std::size_t withoutStop = 0;
   std::size_t byInstances = 0;
-  const auto [first, end] = seedsOr(0, 1500);
+  const auto [first, end] = seedsOr(0, 1000);
   for (auto seed = first; seed < end; ++seed) {
     const auto text = RandomParts(seed).text();
     INFO("seed " << seed << "\n" << text);
