@@ -1,4 +1,5 @@
 #include "tests/support/random/random_edits.h"
+#include "tests/support/sanitized.h"
 #include "tests/syntax/programs.h"
 
 #include <catch2/catch.hpp>
@@ -48,7 +49,7 @@ TEST_CASE("after any edit the document equals a fresh parse, and undo restores i
   for (const auto& program : test::allPrograms()) {
     test::RandomEdits edits(seed++);
     Document document = Document::parse(program);
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < (test::kSanitized ? 100 : 300); ++i) {
       auto edit = edits.slip(document.text());
       Document edited = document.edit(edit.range, edit.text);
       INFO("edit " << i << " at " << edit.range.begin << "-" << edit.range.end << ": "
