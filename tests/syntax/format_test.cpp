@@ -1,6 +1,7 @@
 #include "syntax/format/format.h"
 #include "tests/support/marked_source.h"
 #include "tests/support/random/random_program.h"
+#include "tests/support/sanitized.h"
 #include "tests/syntax/programs.h"
 #include "tests/syntax/random_words.h"
 
@@ -78,7 +79,7 @@ TEST_CASE("random programs keep their tokens, and are laid out once and for all"
 
 TEST_CASE("random words keep their tokens, and are laid out once and for all") {
   test::RandomSource random(17);
-  for (int i = 0; i < 5000; ++i) formatted(test::randomWords(random));
+  for (int i = 0; i < (test::kSanitized ? 1500 : 5000); ++i) formatted(test::randomWords(random));
 }
 
 TEST_CASE("lines are narrow enough wherever they can be broken") {

@@ -180,6 +180,7 @@ export const scenarios = {
     await verifiedAgain(editor);
     equal('the step', await currentStep(frame), step);
     await editor.type(' and more');
+    await expect('what was typed', async () => (await focusedCell(page)).endsWith(' and more'));
     equal('the cell', await focusedCell(page), `${kMission}; typed and more`);
     await editor.picture('notebook');
     await editor.save();
