@@ -2,6 +2,9 @@
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <vector>
 
 namespace proskill::test::slices_test {
 
@@ -27,6 +30,31 @@ std::string users(std::size_t count, const std::string& giveBack) {
     all += fmt::format("{}U{}(&taken)", i == 0 ? "" : " || ", i);
   }
   return text + "component main is var taken: bool := false par * in " + all + " end";
+}
+
+/// A mission that calls one helper after the other, and waits for each. All use a tool, the mission
+/// at last.
+std::string calls(std::size_t count) {
+  std::string text = fmt::format("type flags is array {} of 0..1 ", count);
+  std::string all = "M(&busy, &tool)";
+  std::string states;
+  std::string steps;
+  for (std::size_t i = 0; i < count; ++i) {
+    text += fmt::format("process H{0} (&busy: flags, &tool: 0..1) is states idle, called, has "
+                        "from idle on busy[{0}] = 1; to called "
+                        "from called wait [1,2]; tool := 1; to has "
+                        "from has wait [1,2]; tool := 0; busy[{0}] := 0; to idle ",
+                        i);
+    all += fmt::format(" || H{}(&busy, &tool)", i);
+    states += fmt::format("s{0}, w{0}, ", i);
+    steps += fmt::format("from s{0} busy[{0}] := 1; to w{0} from w{0} on busy[{0}] = 0; to s{1} ",
+                         i, i + 1);
+  }
+  return fmt::format("{0}process M (&busy: flags, &tool: 0..1) is states {1}s{2}, done, broken "
+                     "{3}from s{2} if tool = 0 then to done else to broken end "
+                     "component main is var busy: flags := [{4}], tool: 0..1 := 0 "
+                     "par * in {5} end",
+                     text, states, count, steps, fmt::join(std::vector<int>(count, 0), ", "), all);
 }
 
 } // namespace
@@ -206,6 +234,13 @@ TEST_CASE("two never have what they take in turn, whatever else happens") {
   CHECK_FALSE(model.reaches(both));
   CHECK(model.sliced("absent " + both) == 0); // each has an influence on all
   CHECK(model.refined("absent " + both) == 1);
+}
+
+TEST_CASE("what a slice has to know about one call it has to know about the others") {
+  const Text model(calls(30)); // if the mission did not wait for them, they would have 3^30 states
+  CHECK_FALSE(model.reaches("main/1/state broken"));
+  CHECK(model.sliced("absent main/1/state broken") == 0);
+  CHECK(model.refined("absent main/1/state broken") == 1);
 }
 
 TEST_CASE("who gives back too early lets another in") {

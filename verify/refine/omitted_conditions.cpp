@@ -3,7 +3,17 @@
 #include "verify/state/evaluate.h"
 #include "verify/state/state_layout.h"
 
+#include <algorithm>
+#include <ranges>
+
 namespace proskill::verify {
+
+namespace {
+
+/// So many cells are added at once, or as many as are known.
+constexpr std::uint32_t kFewest = 4;
+
+} // namespace
 
 OmittedConditions::OmittedConditions(const Slicer& of, const Bits& cells)
     : slicer(of),
@@ -27,9 +37,19 @@ void OmittedConditions::follow(TransitionId step) {
 void OmittedConditions::look(const Condition& condition, InstanceId reader) {
   if (isLost || condition.cells.isWithin(known) || holds(system, condition.node, state.data()))
     return;
-  ofFalse |= condition.cells;
+  ofFalse.push_back(condition.cells);
   if (inConflict.empty() && isWrittenByAnother(condition.cells, reader))
     inConflict = condition.cells;
+}
+
+Bits OmittedConditions::wanted() const {
+  if (!inConflict.empty()) return inConflict;
+  Bits cells;
+  for (const auto& condition : ofFalse | std::views::reverse) {
+    cells |= condition;
+    if (cells.count() >= std::max(known.count(), kFewest)) break;
+  }
+  return cells;
 }
 
 bool OmittedConditions::isWrittenByAnother(const Bits& cells, InstanceId reader) const {

@@ -19,9 +19,9 @@ public:
   void follow(TransitionId step);
 
   /// The cells that the next slice should know: those about which two instances are in conflict, as
-  /// about a resource that both take; or else those that others have to change. Empty: the run
-  /// lacks nothing but dates.
-  [[nodiscard]] const Bits& wanted() const { return inConflict.empty() ? ofFalse : inConflict; }
+  /// about a resource that both take; or else those that others have to change, of the conditions
+  /// that are closest to the end of the run. Empty: the run lacks nothing but dates.
+  [[nodiscard]] Bits wanted() const;
 
 private:
   void look(const Condition& condition, InstanceId reader);
@@ -33,9 +33,9 @@ private:
   std::vector<Word> state;
   std::vector<InstanceId> writer; ///< by cell: the last one; kNone: it has its initial value
   StepLog log;
-  bool isLost = false; ///< a step was not possible, so the values are not known any more
-  Bits inConflict;     ///< cells of the first false condition of this kind
-  Bits ofFalse;        ///< of all of them
+  bool isLost = false;       ///< a step was not possible, so the values are not known any more
+  Bits inConflict;           ///< cells of the first false condition of this kind
+  std::vector<Bits> ofFalse; ///< by false condition, in their order
 };
 
 } // namespace proskill::verify

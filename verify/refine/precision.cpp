@@ -32,11 +32,18 @@ System Precision::systemOf(const Slice& slice) const {
 bool Precision::growBy(const Slice& slice, const Steps& steps) {
   OmittedConditions omitted(*slicer, known);
   for (auto step : slice.inWhole(steps)) omitted.follow(step);
-  if (!isTimed && omitted.wanted().empty()) return isTimed = true;
-  const Bits wanted = omitted.wanted().empty() ? readByLate(slice) : omitted.wanted();
+  Bits wanted = omitted.wanted();
+  if (wanted.empty() && !isTimed) return isTimed = true;
+  if (wanted.empty()) wanted = readByLate(slice);
   if (wanted.isWithin(known)) return false;
   known |= wanted;
   return true;
+}
+
+Precision Precision::widened(const AlikeCells& alike) const {
+  Precision wide = *this;
+  wide.known = alike.with(known);
+  return wide;
 }
 
 /// What decides since when steps are due that the slice may take later.

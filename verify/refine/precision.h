@@ -1,6 +1,7 @@
 #pragma once
 
 #include "verify/explore/search.h"
+#include "verify/refine/alike_cells.h"
 #include "verify/slice/slicer.h"
 
 namespace proskill::verify {
@@ -21,10 +22,13 @@ public:
   /// \return whether the next slice knows more
   [[nodiscard]] bool growBy(const Slice& slice, const Steps& steps);
 
+  /// The same with all cells that are like those it knows.
+  [[nodiscard]] Precision widened(const AlikeCells& alike) const;
   /// Adds what another one knows. \pre both have clocks, or none has
   void join(const Precision& other) { known |= other.known; }
 
   [[nodiscard]] bool hasTime() const { return isTimed; }
+  [[nodiscard]] bool isRefined() const { return isTimed || !known.empty(); }
   friend bool operator==(const Precision&, const Precision&) = default;
 
 private:

@@ -66,6 +66,7 @@ Bits Refinement::decide(const std::vector<Goal>& goals, const std::vector<std::s
                 .plans = plans,
                 .statistics = statistics,
                 .onDecided = onDecided,
+                .each = budget.each,
                 .together = budget.together,
                 .left = std::vector<std::uint64_t>(goals.size(), budget.each)};
   for (addGroups(open, asking); !asking.groups.empty() && asking.together > 0;) {
@@ -98,7 +99,10 @@ void Refinement::addGroups(const std::vector<std::size_t>& open, Asking& asking)
 void Refinement::explore(const Group& all, Asking& asking) {
   Group group = all;
   pay(priceOfSlice(split.system), group, asking);
-  std::erase_if(group.goals, [&](std::size_t i) { return asking.left[i] == 0; });
+  std::erase_if(group.goals, [&](std::size_t i) {
+    if (asking.left[i] == 0) giveUp(i, group, asking);
+    return asking.left[i] == 0;
+  });
   if (group.goals.empty() || asking.together == 0) return;
   RefinedSlice slice(group.precision, goalsOf(group, asking), limits);
   std::optional<PartText> text; // it names the part in the store
@@ -114,11 +118,15 @@ void Refinement::explore(const Group& all, Asking& asking) {
     const auto goal = group.goals[i];
     if (found.goals[i]) continue;
     if (!found.statistics.complete) {
-      if (!isAlone) asking.groups.push_back({group.precision, {goal}});
+      if (isAlone)
+        giveUp(goal, group, asking);
+      else
+        asking.groups.push_back({group.precision, {goal}, group.isWide});
       continue;
     }
     if (text) store->keepNeverIn(text->with(asking.goals[goal]));
     note(goal, nullptr, asking);
+    if (group.precision.isRefined()) ++asking.gainOf(group).decided;
   }
 }
 
@@ -163,6 +171,7 @@ void Refinement::readRuns(const Group& group, RefinedSlice& slice, const Prepare
   const System allCells = laidOutCopy(slice.part(), limits);
   const Witness witness(allCells, prepared.reductions, provenance, limits);
   const bool isSmall = found.statistics.classes <= kMostTogether;
+  const bool isWide = group.isWide || asking.wide.decided > asking.narrow.decided;
   std::vector<Group> refined;
   for (std::size_t i = 0; i < group.goals.size(); ++i) {
     const auto goal = group.goals[i];
@@ -170,11 +179,45 @@ void Refinement::readRuns(const Group& group, RefinedSlice& slice, const Prepare
     const Steps steps = slice.inSlice(witness.tidied(asking.goals[goal], *found.goals[i]).steps);
     if (isDecidedBy(steps, goal, group, slice, asking)) continue;
     Precision precision = group.precision;
-    if (!precision.growBy(slice.uncontracted(), steps)) continue;
-    addTo(refined, precision, goal, isSmall);
+    if (!precision.growBy(slice.uncontracted(), steps)) {
+      giveUp(goal, group, asking);
+      continue;
+    }
+    addTo(refined, isWide ? precision.widened(alikeCells()) : precision, goal, isSmall);
   }
-  asking.groups.insert(asking.groups.begin(), std::make_move_iterator(refined.begin()),
-                       std::make_move_iterator(refined.end()));
+  if (isWide)
+    std::ranges::for_each(refined, [&](const Group& next) { addWide(next, asking); });
+  else
+    asking.groups.insert(asking.groups.begin(), std::make_move_iterator(refined.begin()),
+                         std::make_move_iterator(refined.end()));
+}
+
+/// Wide slices of the same precision are mostly the same, whatever the question.
+void Refinement::addWide(const Group& refined, Asking& asking) {
+  const auto isSame = [&](const Group& group) {
+    return group.isWide && group.precision == refined.precision;
+  };
+  const auto same = std::ranges::find_if(asking.groups, isSame);
+  if (same == asking.groups.end())
+    asking.groups.push_back({refined.precision, refined.goals, true});
+  else
+    same->goals.insert(same->goals.end(), refined.goals.begin(), refined.goals.end());
+}
+
+/// Tries a wide slice where a narrow one was not enough, until that has failed too often.
+void Refinement::giveUp(std::size_t goal, const Group& group, Asking& asking) {
+  ++asking.gainOf(group).failed;
+  if (group.isWide || !group.precision.isRefined() || asking.wide.failed > asking.wide.decided + 1)
+    return;
+  Group wide{group.precision.widened(alikeCells()), {goal}, true};
+  if (wide.precision == group.precision) return;
+  asking.left[goal] = asking.each;
+  asking.groups.push_front(std::move(wide));
+}
+
+const AlikeCells& Refinement::alikeCells() {
+  if (!alike) alike.emplace(slicer);
+  return *alike;
 }
 
 /// Whether a run of the slice, or a search along it, decides the question.

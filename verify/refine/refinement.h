@@ -70,6 +70,12 @@ private:
   struct Group {
     Precision precision;
     std::vector<std::size_t> goals; ///< by index
+    bool isWide = false;            ///< it also knows what is like that which its runs lacked
+  };
+  /// What slices of one kind were good for.
+  struct Gain {
+    std::size_t decided = 0;
+    std::size_t failed = 0;
   };
   /// A call of decide().
   struct Asking {
@@ -77,10 +83,15 @@ private:
     PlanSearch& plans;
     Exploration& statistics;
     const OnDecided& onDecided;
+    std::uint64_t each;              ///< budget of a question
     std::uint64_t together;          ///< classes left for all questions
     std::vector<std::uint64_t> left; ///< classes left, by goal
     std::deque<Group> groups{};      ///< to explore
     Bits decided{};
+    Gain narrow{}; ///< of refined slices
+    Gain wide{};
+
+    [[nodiscard]] Gain& gainOf(const Group& group) { return group.isWide ? wide : narrow; }
   };
 
   void addGroups(const std::vector<std::size_t>& open, Asking& asking);
@@ -94,6 +105,9 @@ private:
                 const SearchResult& found, Asking& asking);
   [[nodiscard]] bool isDecidedBy(const Steps& steps, std::size_t goal, const Group& group,
                                  RefinedSlice& slice, Asking& asking);
+  static void addWide(const Group& refined, Asking& asking);
+  void giveUp(std::size_t goal, const Group& group, Asking& asking);
+  [[nodiscard]] const AlikeCells& alikeCells();
   void follow(const Steps& plan, std::size_t goal, Asking& asking);
   static void note(std::size_t goal, const Evidence* run, Asking& asking);
   [[nodiscard]] static std::uint64_t mostFor(const Group& group, const Asking& asking);
@@ -111,6 +125,7 @@ private:
   LimitWatch& limits;
   AnswerStore* store;
   std::map<std::size_t, Bits> cones; ///< by goal: of its first slice
+  std::optional<AlikeCells> alike;   ///< once they are needed
 };
 
 } // namespace proskill::verify
