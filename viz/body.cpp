@@ -287,8 +287,8 @@ Graph drawBody(const analysis::Program& program, const SkillDefinition& skill) {
   Builder builder(program, skill.file);
   builder.graph.title = (skill->monitor ? "monitor " : "skill ") + std::string(skill.name());
   if (skill->monitor)
-    builder.graph.note =
-        skill->armed ? "starts as soon as its precondition holds" : "started with the program";
+    builder.graph.note = skill->armed ? "starts whenever its precondition begins to hold"
+                                      : "started with the program";
   if (skill->unstoppable && !skill->monitor) builder.graph.note = "is never stopped once it runs";
   const auto& body = *skill->body;
   const auto out =

@@ -41,8 +41,14 @@ struct SkillPlan {
   /// Whether it must notice that it ends early: from then on its guards do not matter, and its end
   /// may take time.
   [[nodiscard]] bool mayLinger() const { return callsHoldOut && !skill().invariants.empty(); }
+  /// Whether nobody else calls it: it starts with the program.
+  [[nodiscard]] bool startsItself() const { return root && callers.empty(); }
+  /// Whether it waits for its precondition again after each end.
+  [[nodiscard]] bool rearms() const {
+    return startsItself() && skill().armed && !skill().preconditions.empty();
+  }
   /// Whether it runs exactly once.
-  [[nodiscard]] bool runsOnce() const { return root && callers.empty(); }
+  [[nodiscard]] bool runsOnce() const { return startsItself() && !rearms(); }
   /// Whether several processes call it, so that a call may find it busy.
   [[nodiscard]] bool shared() const {
     return callers.size() + (root || generalCaller ? 1U : 0U) > 1;

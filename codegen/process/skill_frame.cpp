@@ -136,7 +136,7 @@ Statement SkillFrame::refuse(std::string_view next) {
 Statement SkillFrame::refusal() {
   if (!skill.root || isTrue(precondition(context, skill))) return sequence({});
   auto refused = tag(context.names.tag({skill.name(), "refused"}));
-  if (skill.runsOnce()) return refused;
+  if (skill.startsItself()) return refused;
   return ifThen(equal(cell("caller"), name("root")), std::move(refused));
 }
 
@@ -271,7 +271,7 @@ Statement SkillFrame::changeResources(Op op) {
 // --- After the end
 
 std::string SkillFrame::restingState() const {
-  if (skill.runsOnce()) return "ended";
+  if (skill.startsItself()) return "ended";
   return context.isExpanded() ? "start_" : "idle";
 }
 
@@ -284,17 +284,34 @@ std::string SkillFrame::stateAfter(const Ending& ending) {
 void SkillFrame::addRest(fiacre::Process& process, std::string_view start) {
   if (context.isExpanded()) {
     addEndStates(process);
-    step(process, "done", skill.runsOnce() ? "ended" : "ether", "Control was returned.");
-    if (!skill.runsOnce()) step(process, "ether", start, "");
+    step(process, "done", skill.startsItself() ? "ended" : "ether", "Control was returned.");
+    if (!skill.startsItself()) step(process, "ether", start, "");
   }
-  if (!skill.runsOnce()) return;
+  if (skill.startsItself()) addEnded(process, context.isExpanded() ? start : "idle");
+}
+
+void SkillFrame::addEnded(fiacre::Process& process, std::string_view start) {
+  std::vector<Statement> all;
+  if (skill.rearms()) all.push_back(rearm(start));
   // once the mission has ended, nothing more is required of the program, so this is not a deadlock
   const bool ends = &skill == context.plan.mission || !context.plan.mission;
-  if (ends && !context.isPerformed())
-    addState(process, "ended", place(), sequence({wait({}), stay()}),
-             "The end. The loop distinguishes it from a deadlock.");
-  else
-    process.states.push_back({"ended", place()});
+  if (ends && !context.isPerformed()) all.push_back(sequence({wait({}), stay()}));
+  if (all.empty()) return process.states.push_back({"ended", place()});
+  const auto* words = skill.rearms()
+                          ? "Waits until the precondition is false, and then for it again."
+                          : "The end. The loop distinguishes it from a deadlock.";
+  addState(process, "ended", place(), select(std::move(all)), words);
+}
+
+/// As at the start of the program, once the precondition does not hold.
+Statement SkillFrame::rearm(std::string_view start) {
+  auto words = origin(skill.skill().name.range, "waits for its precondition again");
+  auto waits = negation(precondition(context, skill));
+  for (const auto& each : skill.skill().preconditions)
+    decidedBy(context, words, condition(context, each.condition), false, quote(each.range));
+  return sequence({atOnce(), on(std::move(waits)), at(words, assign(cell("caller"), name("root"))),
+                   assign(cell("status"), name("no_status")), setResult("no_status", ""),
+                   to(start)});
 }
 
 void SkillFrame::noteEndState(const std::string& state, const Ending& ending) {

@@ -83,6 +83,8 @@ private:
   void noteEndState(const std::string& state, const Ending& ending);
   void addEndStates(fiacre::Process& process);
   [[nodiscard]] std::string restingState() const;
+  void addEnded(fiacre::Process& process, std::string_view start);
+  [[nodiscard]] fiacre::Statement rearm(std::string_view start);
   void step(fiacre::Process& process, std::string_view from, std::string_view next,
             std::string_view comment);
 

@@ -276,7 +276,7 @@ struct Skill {
   List<Outcome> failures;
   List<Name> resources;
   bool monitor = false;
-  bool armed = false; ///< `:monitor always`: waits for its preconditions and is never refused
+  bool armed = false; ///< `:monitor always`: starts whenever its precondition begins to hold
   std::optional<Block> body;
 
   [[nodiscard]] bool isComposite() const { return body.has_value(); }

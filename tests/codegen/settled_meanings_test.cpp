@@ -138,6 +138,54 @@ TEST_CASE("a monitor that is always armed starts as soon as its precondition hol
             .at("at_once") == "holds");
 }
 
+TEST_CASE("a monitor that is always armed starts once each time its precondition becomes true") {
+  const auto found = verdicts(R"(
+    (defsv door :states (Closed Open) :init Closed)
+    (defsv count :init 0 :min 0 :max 3)
+    (defskill mission
+      :body ((^ 1) (set (door Open)) (^ 1) (set (door Closed))
+             (^ 1) (set (door Open)) (^ 1) (set (door Closed)) (^ 1)))
+    (defskill watch :monitor always :precondition (open (door Open))
+      :body ((set (count (+ count 1)))))
+    (defproperty once_each_time (always (or (= count 0) (= count 1) (= count 2))))
+    (defproperty twice (present (= count 2)))
+    (defproperty at_once (leadsto (door Open) (ended watch) :within [0,0]))
+    (defproperty waits_again (leadsto (door Closed) (called watch) :within [0,0])))");
+  CHECK(found.at("once_each_time") == "holds");
+  CHECK(found.at("twice") == "holds");
+  CHECK(found.at("at_once") == "holds");
+  CHECK(found.at("waits_again") == "holds");
+  CHECK(found.at("program.time_progress") == "holds");
+}
+
+TEST_CASE("a monitor that is always armed starts again after it has failed or was interrupted") {
+  const auto found = verdicts(R"(
+    (defsv door :states (Closed Open) :init Closed)
+    (defsv count :init 0 :min 0 :max 3)
+    (defskill mission
+      :body ((set (door Open)) (^ 1) (set (door Closed)) (^ 1)
+             (set (door Open)) (^ 1) (watch.interrupt) (set (door Closed)) (^ 1)
+             (set (door Open)) (^ 1)))
+    (defskill watch :monitor always :precondition (open (door Open)) :interrupt ()
+      :start (count (+ count 1)) :invariant (open (:guard (door Open)))
+      :body ((^ 5)))
+    (defenvironment calm :body ())
+    (defproperty thrice (present (= count 3))))");
+  CHECK(found.at("thrice") == "holds");
+  CHECK(found.at("watch.invariant_may_fail.open") == "reachable");
+  CHECK(found.at("watch.can_be_interrupted") == "reachable");
+}
+
+TEST_CASE("a monitor that is always armed and has no precondition runs once") {
+  const auto found = verdicts(R"(
+    (defsv count :init 0 :min 0 :max 3)
+    (defskill mission :body ((^ 1)))
+    (defskill watch :monitor always :body ((set (count (+ count 1)))))
+    (defproperty once (never (> count 1))))");
+  CHECK(found.at("once") == "holds");
+  CHECK(found.at("program.time_progress") == "holds");
+}
+
 TEST_CASE("a body whose last test ends it either way has no end that could not be reached") {
   const auto found = verdicts(R"(
     (defsv door :states (Closed Open) :init Closed)

@@ -121,6 +121,16 @@ TEST_CASE("A monitor runs beside the mission from the start") {
   CHECK(flow.at("(set (light Broken))", "light") == "On");
 }
 
+TEST_CASE("A monitor that is always armed may run again") {
+  const std::string watch = kLight + R"((defsv count :init 0 :min 0 :max 2)
+(defevent lights :effects (light On)) (defevent dims :effects (light Off))
+(defskill mission :body ((^ 1)))
+(defskill watch :precondition (lit (light On))
+  :body ((if (> count 0) (flash)) (set (count (+ count 1)))) :monitor )";
+  CHECK(Analysed(watch + "always)").reaches("(flash)"));
+  CHECK_FALSE(Analysed(watch + "t)").reaches("(flash)"));
+}
+
 TEST_CASE("Skills of a library may be called by anybody at any time") {
   Analysed flow(R"((defsv light :states (Off On) :init Off)
 (defskill on :precondition (off (light Off)) :start (light On) :action (on))

@@ -57,7 +57,7 @@ struct SkillEntry {
   std::vector<InputEntry> inputs;
 
   [[nodiscard]] bool isComposite() const { return body != kNobody; }
-  [[nodiscard]] bool runsOnce() const { return root && callers.empty(); }
+  [[nodiscard]] bool startsItself() const { return root && callers.empty(); }
   /// It may have several callers, so it may be busy.
   [[nodiscard]] bool isShared() const {
     return callers.size() + (root || calledByAnyone ? 1U : 0U) > 1;

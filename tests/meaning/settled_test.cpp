@@ -43,3 +43,18 @@ TEST_CASE("both meanings take no step of their own after a forbidden move") {
   agreeOn("(defsv v :states (Good Low) :init Good :transitions ()) (defevent e :effects (v Low))"
           "(defproperty p (ltl (F (not (occurs e)))))");
 }
+
+TEST_CASE("both meanings arm a monitor again when its precondition has been false") {
+  for (const std::string body :
+       {"(set (n (+ n 1)))", "(set (n (+ n 1))) (^ [0,2])", "(set (v Low))"})
+    agreeOn(R"((defsv v :states (Low High) :init Low) (defsv n :init 0 :min 0 :max 3)
+      (defevent up :every [1,2] :effects (v High)) (defevent down :effects (v Low))
+      (defskill mission :body ((^ 3)))
+      (defskill watch :monitor always :precondition (high (v High)) :interrupt ()
+        :time_interval [0,1] :body ()" +
+            body + R"())
+      (defenvironment some :body ((^ [1,2]) (emit down) (^ [0,1]) (watch.interrupt)))
+      (defproperty p (reachable (= n 2)))
+      (defproperty q (leadsto (v Low) (called watch) :within [0,0]))
+      (defproperty r (infinitelyoften (ended watch))))");
+}

@@ -11,7 +11,7 @@ enum class Phase : std::uint8_t {
   Called, ///< not yet started
   Running,
   Returned, ///< a shared skill has ended, and its caller has not yet noticed
-  Ended,    ///< it has run once and never runs again
+  Ended,    ///< it has run, and nobody calls it
 };
 
 enum class Status : std::uint8_t { None, Success, Failure, FailedInvariant, Interrupted };

@@ -23,6 +23,7 @@ private:
   // --- Skills
   void ofSkill(int skill);
   void ofCalled(int skill);
+  void ofEnded(int skill);
   [[nodiscard]] std::pair<std::int64_t, std::int64_t> valuesOf(const InputEntry& input) const;
   [[nodiscard]] std::vector<std::vector<std::int64_t>> anyArguments(int skill) const;
   [[nodiscard]] bool resourcesAreFree(int skill) const;

@@ -71,9 +71,9 @@ void Change::returnFrom(int skill) {
   done.stop = false;
   done.given.clear();
   const bool waits = script.skills[skill].isShared() && done.caller != kRoot;
-  done.phase = waits                             ? Phase::Returned
-               : script.skills[skill].runsOnce() ? Phase::Ended
-                                                 : Phase::Idle;
+  done.phase = waits                                 ? Phase::Returned
+               : script.skills[skill].startsItself() ? Phase::Ended
+                                                     : Phase::Idle;
   if (!waits) done.caller = kNobody;
 }
 

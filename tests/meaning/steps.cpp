@@ -37,6 +37,7 @@ void Steps::ofSkill(int skill) {
       add(std::move(called));
     }
   if (state.phase == Phase::Called) ofCalled(skill);
+  if (state.phase == Phase::Ended) ofEnded(skill);
   if (state.phase == Phase::Running && !script.skills[skill].isComposite()) ofRunning(skill);
 }
 
@@ -79,6 +80,14 @@ void Steps::ofCalled(int skill) {
   else
     begun.refuse(skill);
   add(std::move(begun));
+}
+
+/// A monitor that is `always` armed waits until its precondition is false, and then for it again.
+void Steps::ofEnded(int skill) {
+  if (!script.skills[skill].node->armed || look.preconditionHolds(skill)) return;
+  auto armed = change();
+  armed.call(skill, kRoot);
+  add(std::move(armed));
 }
 
 bool Steps::resourcesAreFree(int skill) const {

@@ -35,7 +35,8 @@ class SharedSkills {
 public:
   explicit SharedSkills(Report& report) : report(report), system(report.system()) {
     for (ProcessId id = 0; id < system.size(); ++id)
-      if (system[id].root && system[id].kind == ProcessKind::Skill && !system[id].repeats)
+      if (system[id].root && system[id].kind == ProcessKind::Skill &&
+          system.skill(system[id]).isComposite())
         roots.push_back(id);
   }
 

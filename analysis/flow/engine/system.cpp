@@ -158,7 +158,7 @@ void System::chooseRoots() {
     const syntax::Skill& skill = source.skills.all[i].node();
     bool free = candidates.empty() && !skill.isComposite();
     process.root |= free || (skill.monitor && skill.isComposite());
-    process.repeats = free;
+    process.repeats = free || (process.root && skill.armed);
   }
   for (Process& process : processes) process.root |= process.kind == ProcessKind::Environment;
 }

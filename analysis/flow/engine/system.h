@@ -33,7 +33,7 @@ struct Process {
   const Graph* graph = nullptr;
   ProcessId parent = kNoProcess; ///< of a branch: the process that forks it
   bool root = false;             ///< starts with the program
-  bool repeats = false;          ///< users of the library may call it again and again
+  bool repeats = false;          ///< a skill of a library, or a monitor that is always armed
   bool analysed = false;         ///< a root starts it, directly or indirectly
   Slots slots;
   std::vector<Action> actions; ///< by node, or by event
