@@ -1,4 +1,5 @@
 #include "tests/support/random/random_model.h"
+#include "tests/support/random/seeds.h"
 
 #include "fiacre/print/print.h"
 #include "verify/compile/compile.h"
@@ -17,12 +18,13 @@ namespace proskill::test::chance_run_test {
 
 namespace {
 
-constexpr std::uint64_t kModels = 400;
 constexpr int kSteps = 60;
 
 /// Calls `visit` with random models without priorities, with their state layout, and their goals.
-template <class Visit> void eachModel(Visit visit) {
-  for (std::uint64_t seed = 0; seed < kModels; ++seed)
+/// \return the number of seeds
+template <class Visit> int eachModel(Visit visit) {
+  const auto [first, end] = seedsOr(0, 400);
+  for (auto seed = first; seed < end; ++seed)
     for (const auto& program : {randomModel(seed), randomModelWithData(seed)}) {
       INFO("seed " << seed << '\n' << fiacre::print(program));
       std::vector<verify::Question> questions;
@@ -32,6 +34,7 @@ template <class Visit> void eachModel(Visit visit) {
       if (!compiled->system.hasPriorities)
         visit(verify::withStateLayout(compiled->system), compiled->goals);
     }
+  return static_cast<int>(end - first);
 }
 
 verify::Odds anyOdds(const verify::System& system, std::minstd_rand& random) {
@@ -85,33 +88,35 @@ int repeat(const verify::System& system, std::minstd_rand& random) {
 TEST_CASE("what chance decides is possible in the simulator, at the same dates") {
   std::minstd_rand random(7);
   int steps = 0;
-  eachModel([&](const verify::System& system, const auto&) { steps += repeat(system, random); });
-  CHECK(steps > 10 * static_cast<int>(kModels));
+  const int seeds = eachModel(
+      [&](const verify::System& system, const auto&) { steps += repeat(system, random); });
+  CHECK(steps > 10 * seeds);
 }
 
 TEST_CASE("a run of chance that reaches a goal shows it, and is the same each time") {
   int found = 0;
-  eachModel([&](const verify::System& system, const std::vector<verify::Goal>& goals) {
-    std::vector<std::size_t> all(goals.size());
-    std::iota(all.begin(), all.end(), 0);
-    const verify::Options options;
-    verify::LimitWatch limits(options);
-    const verify::Enabling enabling(system);
-    const verify::Reductions none;
-    const fiacre::Provenance provenance;
-    const verify::Witness witness(system, none, provenance, limits);
-    std::array<std::vector<verify::Steps>, 2> runs;
-    for (auto& shown : runs)
-      verify::RandomRuns(system, enabling, goals, all, limits)
-          .search(200, [&](std::size_t goal, const verify::Evidence& evidence) {
-            CHECK(witness.refutation(goals[goal], evidence) == "");
-            shown.push_back(evidence.steps);
-            return true;
-          });
-    CHECK(runs[0] == runs[1]);
-    found += static_cast<int>(runs[0].size());
-  });
-  CHECK(found > static_cast<int>(kModels));
+  const int seeds =
+      eachModel([&](const verify::System& system, const std::vector<verify::Goal>& goals) {
+        std::vector<std::size_t> all(goals.size());
+        std::iota(all.begin(), all.end(), 0);
+        const verify::Options options;
+        verify::LimitWatch limits(options);
+        const verify::Enabling enabling(system);
+        const verify::Reductions none;
+        const fiacre::Provenance provenance;
+        const verify::Witness witness(system, none, provenance, limits);
+        std::array<std::vector<verify::Steps>, 2> runs;
+        for (auto& shown : runs)
+          verify::RandomRuns(system, enabling, goals, all, limits)
+              .search(200, [&](std::size_t goal, const verify::Evidence& evidence) {
+                CHECK(witness.refutation(goals[goal], evidence) == "");
+                shown.push_back(evidence.steps);
+                return true;
+              });
+        CHECK(runs[0] == runs[1]);
+        found += static_cast<int>(runs[0].size());
+      });
+  CHECK(found > seeds);
 }
 
 } // namespace proskill::test::chance_run_test

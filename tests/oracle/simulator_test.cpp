@@ -1,4 +1,5 @@
 #include "tests/support/random/random_model.h"
+#include "tests/support/random/seeds.h"
 
 #include "fiacre/print/print.h"
 #include "verify/compile/compile.h"
@@ -13,7 +14,6 @@ namespace proskill::test::simulator_test {
 
 namespace {
 
-constexpr std::uint64_t kModels = 400;
 constexpr int kSteps = 60;
 
 /// Since when each transition has been enabled after a step, by looking at all of them.
@@ -60,7 +60,8 @@ int walk(const verify::System& system, std::mt19937_64& random) {
 TEST_CASE("the simulator knows after each step what is enabled, and since when") {
   std::mt19937_64 random(7);
   int steps = 0;
-  for (std::uint64_t seed = 0; seed < kModels; ++seed)
+  const auto [first, end] = seedsOr(0, 400);
+  for (auto seed = first; seed < end; ++seed)
     for (const auto& program :
          {randomModel(seed), randomModelWithData(seed), randomModelWithObserver(seed)}) {
       INFO("seed " << seed << '\n' << fiacre::print(program));
@@ -68,7 +69,7 @@ TEST_CASE("the simulator knows after each step what is enabled, and since when")
       REQUIRE(compiled.has_value());
       steps += walk(verify::withStateLayout(compiled->system), random);
     }
-  CHECK(steps > 10 * static_cast<int>(kModels));
+  CHECK(steps > 10 * static_cast<int>(end - first));
 }
 
 } // namespace proskill::test::simulator_test

@@ -1,5 +1,6 @@
 #include "tests/support/random/random_model.h"
 #include "tests/support/random/random_program.h"
+#include "tests/support/random/seeds.h"
 #include "tests/support/result_text.h"
 #include "tests/support/texts.h"
 
@@ -12,9 +13,6 @@
 namespace proskill::test::threads_test {
 
 namespace {
-
-constexpr std::uint64_t kModels = 300;
-constexpr std::uint64_t kPrograms = 100;
 
 /// All reductions, none but those that make timed models finite, or none.
 verify::Options optionsOf(std::uint64_t seed) {
@@ -50,23 +48,25 @@ std::uint64_t compare(const fiacre::Program& program, const fiacre::Provenance& 
 
 TEST_CASE("random models have the same answers, counts and traces for each number of threads") {
   std::uint64_t classes = 0;
-  for (std::uint64_t seed = 0; seed < kModels; ++seed) {
+  const auto [first, end] = seedsOr(0, 300);
+  for (auto seed = first; seed < end; ++seed) {
     classes += compare(randomModel(seed), {}, seed);
     classes += compare(randomModelWithData(seed), {}, seed);
   }
-  CHECK(classes > 100 * kModels);
+  CHECK(classes > 100 * (end - first));
 }
 
 TEST_CASE("random programs have the same answers, counts and traces for each number of threads") {
   std::uint64_t classes = 0;
-  for (std::uint64_t seed = 0; seed < kPrograms; ++seed) {
+  const auto [first, end] = seedsOr(0, 100);
+  for (auto seed = first; seed < end; ++seed) {
     const auto text = textOf(randomProgram(seed, varied(seed, {})));
     const auto model = codegen::generate(programOfText(text));
     INFO(text);
     REQUIRE(model.has_value());
     classes += compare(model->fiacre, model->provenance, seed);
   }
-  CHECK(classes > 100 * kPrograms);
+  CHECK(classes > 100 * (end - first));
 }
 
 } // namespace proskill::test::threads_test
