@@ -19,6 +19,7 @@ struct Tally {
   std::uint64_t programs = 0;
   std::uint64_t tooLarge = 0;
   std::uint64_t questions = 0;
+  std::uint64_t limited = 0;
   std::uint64_t scopes = 0;
   std::uint64_t traces = 0;
   std::uint64_t situations = 0;
@@ -75,6 +76,7 @@ Tally compareAll(std::uint64_t first, std::uint64_t count, const test::ProgramSi
     ++tally.programs;
     tally.tooLarge += comparison.tooLarge ? 1 : 0;
     tally.questions += comparison.questions;
+    tally.limited += comparison.limited;
     tally.scopes += comparison.scopes;
     tally.traces += comparison.traces;
     tally.situations += comparison.situations;
@@ -84,8 +86,10 @@ Tally compareAll(std::uint64_t first, std::uint64_t count, const test::ProgramSi
     found += "\n  " + kind + ": " + std::to_string(times);
   WARN(tally.programs << " programs, " << tally.tooLarge << " too large, " << tally.questions
                       << " questions (" << tally.scopes << " with scopes or times), "
-                      << tally.traces << " traces, " << tally.situations << " situations" << found);
+                      << tally.limited << " left open at the limit of classes, " << tally.traces
+                      << " traces, " << tally.situations << " situations" << found);
   CHECK(tally.disagreements.empty());
+  CHECK(tally.limited * 1000 <= tally.questions);
   return tally;
 }
 
