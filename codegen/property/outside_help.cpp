@@ -63,8 +63,9 @@ std::string alwaysPossible(const Context& context) {
   for (const auto& event : context.program.events.all)
     if (event->every || (isOpen && !event->guard))
       return syntax::backquoted(event.name()) + " can always occur";
-  if (isOpen && mission->skill().interrupt)
-    return syntax::backquoted(mission->name()) + " can always be interrupted";
+  for (const auto& skill : context.plan.skills)
+    if (isOpen && skill.skill().interrupt && (&skill == mission || skill.rearms()))
+      return syntax::backquoted(skill.name()) + " can always be interrupted";
   if (!isOpen && goesOnForEver(context, *context.plan.environmentBody))
     return "the environment always goes on";
   for (const auto& skill : context.plan.skills)

@@ -35,6 +35,9 @@ TEST_CASE("a verdict on deadlocks says if it rests on a step that is always poss
         since("`e` can always occur"));
   CHECK(noteOf(kDoor + "(defskill mission :interrupt () :body ((^ (door Open))))") ==
         since("`mission` can always be interrupted"));
+  CHECK(noteOf(kDoor + kMission +
+               "(defskill watch :monitor always :precondition (open (door Open)) :interrupt () "
+               ":body ())") == since("`watch` can always be interrupted"));
   CHECK(noteOf(kDoor + kMission + "(defenvironment calm :body ((while true (^ 1))))") ==
         since("the environment always goes on"));
   CHECK(noteOf(kDoor + kMission + "(defskill beat :monitor t :body ((while true (^ 1))))") ==
