@@ -62,6 +62,8 @@ void Judgement::judgeCertain(const Diagnostic& claim) {
     const bool alone = std::ranges::count(report->system().all(), true, &Process::root) ==
                        (report->system().hasFreeEvents() ? 2 : 1);
     const auto* inside = enclosing(claim.related.at(0).location, {"reachable"});
+    // A body that the loop calls may be called elsewhere too, and the loop never be reached.
+    if (inside && report->system().callers(processOf(inside->check.subject)).size() > 1) return;
     const auto* refused = inside ? find("never_refused", inside->place) : nullptr;
     if (!alone || (claim.code == Code::RefusedInLoop && !(refused && refused->happens))) return;
     demand(claim, inside, findOf("time_progress", "program"));

@@ -65,6 +65,53 @@ TEST_CASE("A loop that a refused call keeps going is told at its beginning") {
   CHECK(told("(while true (drive) (if (/= drive.status success) break))").empty());
 }
 
+TEST_CASE("A loop is told whose call runs a body in which a call is refused") {
+  const std::string door = "(defsv door :states (Closed Open) :init Closed)\n"
+                           "(defsv tries :init 0 :min 0 :max 3)\n"
+                           "(defevent opens :effects (door Open))\n"
+                           "(defskill drive :precondition (clear (door Open)) "
+                           ":time_interval [1,2] :action (d) :success ok :failure ko)\n";
+  const auto told = [&](const std::string& part, const std::string& body) {
+    return codes(door + "(defskill c :success done :failure no :body (" + part +
+                 "))(defskill m :body (" + body + "))")
+        .contains("PS1007");
+  };
+  const std::string fails = "(drive) (if (= drive.status success) (success done)) (failure no)";
+  CHECK(told(fails, "(while (/= c.status success) (c))"));
+  CHECK(told(fails, "(do (c) until (= c.status success))"));
+  CHECK(told("(case (drive) (success (success done)) (failure) (refused (failure no))) (^ 1)",
+             "(while (/= c.status success) (c))"));
+  // the body waits, counts, or tests before it calls; or the loop waits or ends
+  CHECK_FALSE(told("(drive) (if (= drive.status success) (success done)) (^ 1) (failure no)",
+                   "(while (/= c.status success) (c))"));
+  CHECK_FALSE(told("(drive) (if (= drive.status success) (success done)) (set (tries (+ tries 1))) "
+                   "(failure no)",
+                   "(while (and (/= c.status success) (< tries 3)) (c))"));
+  CHECK_FALSE(
+      told("(^ (door Open)) (drive) (if (= drive.status success) (success done)) (failure no)",
+           "(while (/= c.status success) (c))"));
+  CHECK_FALSE(told(fails, "(while (/= c.status success) (c) (^ 1))"));
+  CHECK_FALSE(told(fails, "(while true (c) (if (= c.status failure) break))"));
+}
+
+TEST_CASE("A body that somebody may interrupt or hold up does not keep a loop going") {
+  const std::string parts =
+      "(defsv door :states (Closed Open) :init Closed)\n"
+      "(defevent opens :effects (door Open))\n"
+      "(defresource arm)\n"
+      "(defskill drive :precondition (clear (door Open)) :time_interval [1,2] :action (d))\n"
+      "(defskill grip :resources (arm) :time_interval [1,2] :action (g))\n"
+      "(defskill c :interrupt () :resources (arm) :success done :failure no\n"
+      "  :body ((drive) (if (= drive.status success) (success done)) (failure no)))\n";
+  const auto told = [&](const std::string& rest) { return codes(parts + rest).contains("PS1007"); };
+  const std::string loop = "(while (/= c.status success) (c))";
+  CHECK(told("(defskill m :body ((grip) " + loop + "))"));
+  CHECK_FALSE(
+      told("(defskill m :body (" + loop + "))(defskill w :monitor t :body ((^ 1) (grip)))"));
+  CHECK_FALSE(
+      told("(defskill m :body (" + loop + "))(defskill w :monitor t :body ((^ 1) (c.interrupt)))"));
+}
+
 TEST_CASE("A precondition on the skill's own status sees it reset by the call") {
   const std::string once = "(defskill s :precondition (p (= s.status no_status)) :action (a))";
   CHECK(codes(once + "(defskill m :body ((s) (s)))").empty());

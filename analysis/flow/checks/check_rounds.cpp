@@ -35,11 +35,13 @@ private:
   }
 
   Finding tellRefused(Location at, const InstantRound::Refusal& refusal) {
-    const Process& callee = report.system()[process.actions[refusal.call].target];
+    const Process& caller = report.system()[refusal.caller];
+    const Process& callee = report.system()[caller.actions[refusal.call].target];
     const auto& skill = report.program.skills.all[callee.definition];
     const auto& precondition = skill->preconditions.at(refusal.precondition);
     Finding finding = report.findings.report(Code::RefusedInLoop, at, skill.name());
-    finding.related(report.at(id, refusal.call), "is refused at once, and called again");
+    finding.related(report.at(refusal.caller, refusal.call),
+                    "is refused at once, and called again");
     finding.related(skill.at(precondition.range),
                     fmt::format("while `{}` is false", precondition.tag.text));
     return finding;

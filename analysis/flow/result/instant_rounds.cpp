@@ -1,5 +1,6 @@
 #include "analysis/flow/result/instant_rounds.h"
 
+#include "analysis/flow/result/disturbances.h"
 #include "analysis/flow/result/loops.h"
 #include "analysis/flow/result/report.h"
 
@@ -15,61 +16,13 @@ constexpr std::size_t kMostRepeats = 100; ///< until the values no longer change
 
 /// A step without delay: along an edge of a node or, for a call, past a false precondition.
 struct Pass {
+  ProcessId process = kNoProcess;
   NodeId node = kNoNode;
   std::size_t edge = 0;
   std::size_t precondition = 0;
+  std::vector<Pass> inner; ///< of a call that is served: the callee's steps, from start to end
 };
-
-bool hasNode(const Process& process, NodeKind kind) {
-  return process.graph &&
-         std::ranges::find(process.graph->nodes, kind, &Node::kind) != process.graph->nodes.end();
-}
-
-/// A thread with those that forked it or called its skill, transitively.
-IdSet threadsAround(const System& system, ProcessId thread) {
-  IdSet around;
-  std::vector<ProcessId> todo{thread};
-  while (!todo.empty()) {
-    const ProcessId at = todo.back();
-    todo.pop_back();
-    if (at == kNoProcess || around.contains(at)) continue;
-    around.insert(at);
-    todo.push_back(system[at].parent);
-    if (system[at].kind == ProcessKind::Skill)
-      for (const Site& site : system.callers(at)) todo.push_back(site.caller);
-  }
-  return around;
-}
-
-/// Whether it belongs to a race against one of these threads.
-bool racesWith(const System& system, const Process& branch, const IdSet& threads) {
-  const NodeId fork = branch.graph->fork;
-  if (!(*system[branch.parent].graph)[fork].isRace()) return false;
-  const auto& branches = system[branch.parent].actions[fork].branches;
-  return std::ranges::any_of(branches, [&](ProcessId each) { return threads.contains(each); });
-}
-
-/// Whether others may end it at once: by a guard of a caller, by a parallel branch that ends the
-/// skill or wins a race, or by an interrupt.
-bool mayBeEnded(const System& system, ProcessId thread) {
-  const IdSet around = threadsAround(system, thread);
-  for (ProcessId other = 0; other < system.size(); ++other) {
-    const Process& process = system[other];
-    if (other != thread && around.contains(other) && hasNode(process, NodeKind::InvariantFailure))
-      return true;
-    if (!around.contains(other) && process.kind == ProcessKind::Branch &&
-        around.contains(process.parent) &&
-        (hasNode(process, NodeKind::Leave) || racesWith(system, process, around)))
-      return true;
-    if (other == thread || !process.graph) continue;
-    for (NodeId node = 0; node < process.actions.size(); ++node)
-      if ((*process.graph)[node].kind == NodeKind::Interrupt &&
-          process.actions[node].target != kNoProcess &&
-          around.contains(process.actions[node].target))
-        return true;
-  }
-  return false;
-}
+using Passes = std::vector<Pass>;
 
 /// How a condition restricts a state: `Certain` requires it to be true in all of the state.
 enum class Need : std::uint8_t { Possible, Certain };
@@ -83,11 +36,7 @@ bool require(State& state, const Condition& condition, bool holds, Need need) {
 class Rounds {
 public:
   Rounds(const Solver& solver, ProcessId id, const std::vector<NodeId>& loop)
-      : solver(solver), system(solver.system()), id(id), self(system[id]), loop(loop) {
-    for (const Node& node : self.graph->nodes)
-      if (node.kind == NodeKind::InvariantFailure)
-        guards.push_back(static_cast<NodeId>(&node - self.graph->nodes.data()));
-  }
+      : solver(solver), system(solver.system()), id(id), self(system[id]), loop(loop) {}
 
   std::optional<InstantRound> find() {
     if (mayBeEnded(system, id)) return std::nullopt;
@@ -100,36 +49,91 @@ public:
   }
 
 private:
-  [[nodiscard]] const Node& nodeOf(NodeId node) const { return (*self.graph)[node]; }
+  [[nodiscard]] const Node& nodeOf(const Pass& pass) const {
+    return (*system[pass.process].graph)[pass.node];
+  }
+  [[nodiscard]] const Action& actionOf(const Pass& pass) const {
+    return system[pass.process].actions[pass.node];
+  }
+
+  /// The nodes of the guards of a skill.
+  [[nodiscard]] std::vector<NodeId> guardsOf(ProcessId process) const {
+    std::vector<NodeId> guards;
+    const auto& nodes = system[process].graph->nodes;
+    for (NodeId node = 0; node < nodes.size(); ++node)
+      if (nodes[node].kind == NodeKind::InvariantFailure) guards.push_back(node);
+    return guards;
+  }
 
   bool search(NodeId head, NodeId node, const State& state) {
     if (++steps > kMostSteps) return false;
-    for (const Pass& pass : passesOf(node)) {
+    for (const Pass& pass : passesOf(id, node, state)) {
       State after = state;
       const NodeId next = target(pass);
       if (std::ranges::find(loop, next) == loop.end() || !take(pass, after, Need::Possible))
         continue;
       path.push_back(pass);
-      if (next == head ? repeats(std::move(after)) : !isOnPath(next) && search(head, next, after))
+      if (next == head ? repeats(std::move(after)) : !isOn(path, next) && search(head, next, after))
         return true;
       path.pop_back();
     }
     return false;
   }
 
-  [[nodiscard]] bool isOnPath(NodeId node) const {
-    return std::ranges::find(path, node, &Pass::node) != path.end();
+  [[nodiscard]] static bool isOn(const Passes& way, NodeId node) {
+    return std::ranges::find(way, node, &Pass::node) != way.end();
   }
 
-  [[nodiscard]] std::vector<Pass> passesOf(NodeId node) const {
-    std::vector<Pass> all;
-    const Node& each = nodeOf(node);
-    const bool calls = each.kind == NodeKind::Call;
-    const std::size_t ways = calls ? calleeOf(node).actions[0].conditions.size() : 1;
-    for (std::size_t edge = 0; edge < each.edges.size(); ++edge)
-      for (std::size_t i = 0; i < ways && !takesTime(each, each.edges[edge]); ++i)
-        all.push_back({node, edge, i});
+  [[nodiscard]] Passes passesOf(ProcessId process, NodeId node, const State& state) {
+    Passes all;
+    const Node& each = (*system[process].graph)[node];
+    for (std::size_t edge = 0; edge < each.edges.size(); ++edge) {
+      if (takesTime(each, each.edges[edge])) continue;
+      const Pass pass{process, node, edge, 0, {}};
+      if (each.kind == NodeKind::Call)
+        addCalls(pass, state, all);
+      else
+        all.push_back(pass);
+    }
     return all;
+  }
+
+  void addCalls(const Pass& call, const State& state, Passes& all) {
+    for (std::size_t i = 0; i < calleeOf(call).actions[0].conditions.size(); ++i) {
+      all.push_back(call);
+      all.back().precondition = i;
+    }
+    const ProcessId callee = actionOf(call).target;
+    if (!system.skill(system[callee]).isComposite() || !guardsOf(call.process).empty() ||
+        mayBeHeldUp(system, call.process, callee) || mayBeEnded(system, callee))
+      return;
+    Passes way;
+    addServed(call, callee, 0, entryOf(call, state), way, all);
+  }
+
+  /// Adds the call with each way through the body of the callee that takes no time.
+  void addServed(const Pass& call, ProcessId callee, NodeId node, const State& state, Passes& way,
+                 Passes& all) {
+    if (node == system[callee].graph->end) {
+      all.push_back(call);
+      all.back().inner = way;
+      return;
+    }
+    if (++steps > kMostSteps || !mayBePassed(callee, node)) return;
+    for (const Pass& pass : passesOf(callee, node, state)) {
+      State after = state;
+      if (target(pass) == kNoNode || isOn(way, target(pass)) || !take(pass, after, Need::Possible))
+        continue;
+      way.push_back(pass);
+      addServed(call, callee, target(pass), after, way, all);
+      way.pop_back();
+    }
+  }
+
+  [[nodiscard]] bool mayBePassed(ProcessId process, NodeId node) const {
+    const NodeKind kind = (*system[process].graph)[node].kind;
+    return kind == NodeKind::Start || kind == NodeKind::Outcome ||
+           mayTakeNoTime(solver, process, node);
   }
 
   /// Also true for what another check reports.
@@ -139,15 +143,16 @@ private:
   }
 
   [[nodiscard]] NodeId target(const Pass& pass) const {
-    return nodeOf(pass.node).edges[pass.edge].target;
+    return nodeOf(pass).edges[pass.edge].target;
   }
-  [[nodiscard]] const Process& calleeOf(NodeId node) const {
-    return system[self.actions[node].target];
+  [[nodiscard]] const Process& calleeOf(const Pass& call) const {
+    return system[actionOf(call).target];
   }
 
   /// Repeats a round until nothing changes; then every step has to be certain.
   bool repeats(State state) const {
-    if (std::ranges::none_of(path, [&](const Pass& pass) { return mayWait(pass.node); }))
+    if (!refusalIn(path) &&
+        std::ranges::none_of(path, [&](const Pass& pass) { return mayWait(pass); }))
       return false; // reported by another check
     if (dependsOnOthers()) return false;
     for (std::size_t i = 0; i < kMostRepeats; ++i) {
@@ -159,10 +164,19 @@ private:
     return false;
   }
 
-  [[nodiscard]] bool mayWait(NodeId node) const {
-    const NodeKind kind = nodeOf(node).kind;
-    return kind == NodeKind::Wait || kind == NodeKind::Call ||
-           (kind == NodeKind::Emit && !takesNoTime(self, node));
+  [[nodiscard]] bool mayWait(const Pass& pass) const {
+    const NodeKind kind = nodeOf(pass).kind;
+    return kind == NodeKind::Wait || (kind == NodeKind::Emit && !takesNoTime(self, pass.node));
+  }
+
+  /// The first refused call.
+  [[nodiscard]] std::optional<InstantRound::Refusal> refusalIn(const Passes& way) const {
+    for (const Pass& pass : way) {
+      if (nodeOf(pass).kind != NodeKind::Call) continue;
+      if (pass.inner.empty()) return {{pass.process, pass.node, pass.precondition}};
+      if (const auto found = refusalIn(pass.inner)) return found;
+    }
+    return std::nullopt;
   }
 
   /// Whether it depends on values that others set. Only single events make each combination
@@ -181,7 +195,7 @@ private:
         return read.contains(each.variable);
       });
       if (sets > 1 || (sets > 0 && !events[event].conditions.empty())) return true;
-      if (sets > 0 && isTimed(event) && !isRefused() && !isAwaited()) return true;
+      if (sets > 0 && isTimed(event) && !refusalIn(path) && !isAwaited()) return true;
     }
     return false;
   }
@@ -190,23 +204,18 @@ private:
     return system.program().events.all[event]->every.has_value();
   }
 
-  /// Whether the round contains a refused call; the finding is then about what follows a refusal.
-  [[nodiscard]] bool isRefused() const {
-    return std::ranges::any_of(
-        path, [&](const Pass& pass) { return nodeOf(pass.node).kind == NodeKind::Call; });
-  }
-
   /// Whether the loop tests nothing but one variable in one wait that does not end before an event
   /// has set it. Then the round follows whenever the loop is reached.
   [[nodiscard]] bool isAwaited() const {
     NodeId waiting = kNoNode;
     for (const Pass& pass : path) {
+      if (!pass.inner.empty()) return false;
       if (slotsOf(pass.node).empty()) continue;
-      if (nodeOf(pass.node).kind != NodeKind::Wait || waiting != kNoNode) return false;
+      if (nodeOf(pass).kind != NodeKind::Wait || waiting != kNoNode) return false;
       waiting = pass.node;
     }
-    if (waiting == kNoNode || !guards.empty()) return false;
-    const bool hasTimeout = std::ranges::any_of(nodeOf(waiting).edges, [](const Edge& edge) {
+    if (waiting == kNoNode || !guardsOf(id).empty()) return false;
+    const bool hasTimeout = std::ranges::any_of((*self.graph)[waiting].edges, [](const Edge& edge) {
       return !edge.stops && edge.guard != Guard::Holds;
     });
     const auto slots = slotsOf(waiting);
@@ -224,7 +233,7 @@ private:
   [[nodiscard]] bool sets(Slot slot) const {
     return std::ranges::any_of(path, [&](const Pass& pass) {
       const auto& assignments = self.actions[pass.node].assignments;
-      return nodeOf(pass.node).kind == NodeKind::Call ||
+      return nodeOf(pass).kind == NodeKind::Call ||
              std::ranges::find(assignments, slot, &Assignment::slot) != assignments.end();
     });
   }
@@ -244,18 +253,30 @@ private:
 
   [[nodiscard]] IdSet variablesRead() const {
     IdSet read;
-    const auto add = [&](const Process& process, const Condition& condition) {
-      std::set<Slot> slots;
-      collectSlots(condition, slots);
-      for (Slot slot : slots) read.insert(process.slots[slot]);
-    };
-    for (const Pass& pass : path) {
-      for (const Condition& each : self.actions[pass.node].conditions) add(self, each);
-      if (nodeOf(pass.node).kind == NodeKind::Call)
-        add(calleeOf(pass.node), calleeOf(pass.node).actions[0].conditions[pass.precondition]);
-    }
-    for (NodeId guard : guards) add(self, self.actions[guard].conditions.at(0));
+    for (NodeId guard : guardsOf(id)) addRead(self, self.actions[guard].conditions.at(0), read);
+    addReads(path, read);
     return read;
+  }
+
+  static void addRead(const Process& process, const Condition& condition, IdSet& read) {
+    std::set<Slot> slots;
+    collectSlots(condition, slots);
+    for (Slot slot : slots) read.insert(process.slots[slot]);
+  }
+
+  void addReads(const Passes& way, IdSet& read) const {
+    for (const Pass& pass : way) {
+      for (const Condition& each : actionOf(pass).conditions)
+        addRead(system[pass.process], each, read);
+      if (nodeOf(pass).kind != NodeKind::Call) continue;
+      const Process& callee = calleeOf(pass);
+      if (pass.inner.empty())
+        addRead(callee, callee.actions[0].conditions[pass.precondition], read);
+      else
+        for (NodeId guard : guardsOf(actionOf(pass).target))
+          addRead(callee, callee.actions[guard].conditions.at(0), read);
+      addReads(pass.inner, read);
+    }
   }
 
   bool goRound(State& state, Need need) const {
@@ -264,61 +285,85 @@ private:
 
   /// \return whether the pass is possible, or certain
   bool take(const Pass& pass, State& state, Need need) const {
-    for (NodeId guard : guards)
-      if (!require(state, self.actions[guard].conditions.at(0), true, need)) return false;
-    const Edge& edge = nodeOf(pass.node).edges[pass.edge];
-    if (nodeOf(pass.node).kind == NodeKind::Call) return refuse(pass, state, need);
-    if (nodeOf(pass.node).kind == NodeKind::Interrupt && disturbs(pass.node)) return false;
+    const Process& process = system[pass.process];
+    if (nodeOf(pass).kind != NodeKind::Start)
+      for (NodeId guard : guardsOf(pass.process))
+        if (!require(state, process.actions[guard].conditions.at(0), true, need)) return false;
+    const Edge& edge = nodeOf(pass).edges[pass.edge];
+    if (nodeOf(pass).kind == NodeKind::Call)
+      return pass.inner.empty() ? refuse(pass, state, need) : serve(pass, state, need);
+    if (nodeOf(pass).kind == NodeKind::Interrupt && disturbs(pass)) return false;
     if (edge.guard != Guard::None)
-      for (const Condition& condition : self.actions[pass.node].conditions)
+      for (const Condition& condition : actionOf(pass).conditions)
         if (!require(state, condition, edge.guard == Guard::Holds, need)) return false;
-    if (edge.sets) state = solver.after(std::move(state), self, pass.node);
+    if (edge.sets) state = solver.after(std::move(state), process, pass.node);
     return state.reachable;
   }
 
-  /// Whether what is interrupted may set something that the loop reads.
-  [[nodiscard]] bool disturbs(NodeId node) const {
-    const ProcessId interrupted = self.actions[node].target;
+  /// Whether what is interrupted may set something that the loop or the thread reads.
+  [[nodiscard]] bool disturbs(const Pass& pass) const {
+    const ProcessId interrupted = actionOf(pass).target;
     if (interrupted == kNoProcess) return false;
-    return std::ranges::any_of(self.slots.variables(), [&](VariableId variable) {
+    const auto isSet = [&](VariableId variable) {
       return system.variables()[variable].kind != VariableKind::Called &&
              system.writes(interrupted).contains(variable);
-    });
+    };
+    return std::ranges::any_of(self.slots.variables(), isSet) ||
+           std::ranges::any_of(system[pass.process].slots.variables(), isSet);
   }
 
-  /// The call resets it before the preconditions are tested.
-  [[nodiscard]] bool isReset(const Process& callee, VariableId variable) const {
-    return variable == system.variables().of(VariableKind::Status, callee.definition) ||
-           variable == system.variables().of(VariableKind::Result, callee.definition);
+  /// What the callee knows at its start: the call resets its status and result.
+  [[nodiscard]] State entryOf(const Pass& call, const State& state) const {
+    const Process& callee = calleeOf(call);
+    State entry{.reachable = true, .values = {}};
+    for (VariableId variable : callee.slots.variables()) {
+      const auto mine = system[call.process].slots.find(variable);
+      entry.values.push_back(mine ? state.values[*mine] : solver.ever(variable));
+    }
+    for (VariableKind kind : {VariableKind::Status, VariableKind::Result})
+      if (const auto slot = callee.slots.find(system.variables().of(kind, callee.definition)))
+        entry.values[*slot] = ValueSet::of(0);
+    return entry;
+  }
+
+  /// The caller learns what the callee knows at its end.
+  void learn(const Pass& call, const State& end, State& state) const {
+    const Slots& slots = system[call.process].slots;
+    const Process& callee = calleeOf(call);
+    for (Slot slot = 0; slot < slots.size(); ++slot)
+      if (const auto known = callee.slots.find(slots[slot]))
+        state.values[slot] = end.values[*known];
+      else if (system.writes(actionOf(call).target).contains(slots[slot]))
+        state.values[slot] = solver.ever(slots[slot]);
   }
 
   bool refuse(const Pass& pass, State& state, Need need) const {
-    const Process& callee = calleeOf(pass.node);
-    State entry{.reachable = true, .values = {}};
-    for (VariableId variable : callee.slots.variables()) {
-      const auto mine = self.slots.find(variable);
-      if (isReset(callee, variable))
-        entry.values.push_back(ValueSet::of(0));
-      else
-        entry.values.push_back(mine ? state.values[*mine] : solver.ever(variable));
-    }
+    const Process& callee = calleeOf(pass);
+    State entry = entryOf(pass, state);
     if (!require(entry, callee.actions[0].conditions[pass.precondition], false, need)) return false;
+    const Slots& slots = system[pass.process].slots;
     for (Slot slot = 0; slot < callee.slots.size(); ++slot)
-      if (const auto mine = self.slots.find(callee.slots[slot]))
+      if (const auto mine = slots.find(callee.slots[slot]))
         state.values[*mine] = entry.values[slot];
     for (VariableKind kind : {VariableKind::Status, VariableKind::Result, VariableKind::Called})
-      if (const auto slot = self.slots.find(system.variables().of(kind, callee.definition)))
+      if (const auto slot = slots.find(system.variables().of(kind, callee.definition)))
         state.values[*slot] = ValueSet::of(0);
     return true;
   }
 
+  bool serve(const Pass& pass, State& state, Need need) const {
+    State inside = entryOf(pass, state);
+    for (const Pass& each : pass.inner)
+      if (!take(each, inside, need)) return false;
+    learn(pass, inside, state);
+    return true;
+  }
+
   [[nodiscard]] InstantRound found() const {
-    InstantRound round;
+    InstantRound round{.refusal = refusalIn(path)};
     for (const Pass& pass : path) {
       round.nodes.push_back(pass.node);
-      const NodeKind kind = nodeOf(pass.node).kind;
-      if (kind == NodeKind::Call && !round.refusal) round.refusal = {pass.node, pass.precondition};
-      if (kind == NodeKind::Wait && round.wait == kNoNode) round.wait = pass.node;
+      if (nodeOf(pass).kind == NodeKind::Wait && round.wait == kNoNode) round.wait = pass.node;
     }
     std::ranges::sort(round.nodes);
     return round;
@@ -329,31 +374,9 @@ private:
   ProcessId id;
   const Process& self;
   const std::vector<NodeId>& loop;
-  std::vector<NodeId> guards;
-  std::vector<Pass> path;
+  Passes path;
   std::size_t steps = 0;
 };
-
-/// Whether others may delay the call: they call the same skill, or hold what it needs.
-bool mayBeHeldUp(const System& system, ProcessId caller, ProcessId callee) {
-  const auto& needed = system.skill(system[callee]).resources;
-  const auto holds = [&](ProcessId other) {
-    const Process& process = system[other];
-    if (other == callee || process.kind != ProcessKind::Skill) return false;
-    return std::ranges::any_of(system.skill(process).resources, [&](const syntax::Name& held) {
-      return std::ranges::find(needed, held.text, &syntax::Name::text) != needed.end();
-    });
-  };
-  const auto& beside = system.concurrent(caller);
-  if (std::ranges::any_of(system.callers(callee),
-                          [&](const Site& site) { return beside.contains(site.caller); }))
-    return true;
-  if (needed.empty()) return false;
-  for (ProcessId other = 0; other < system.size(); ++other)
-    if (holds(other) && (beside.contains(other) || system.activity(other).contains(caller)))
-      return true;
-  return false;
-}
 
 } // namespace
 

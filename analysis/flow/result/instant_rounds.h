@@ -7,11 +7,13 @@
 
 namespace proskill::analysis::flow {
 
-/// A cycle of a loop that takes no time: its waits do not wait, its calls are refused.
+/// A cycle of a loop that takes no time: its waits do not wait, its calls are refused, or call
+/// bodies that take no time either.
 struct InstantRound {
   std::vector<NodeId> nodes; ///< in their order
-  /// For the first refused call: the false precondition of the callee.
+  /// For the first refused call, in the loop or in a body that it calls: the false precondition.
   struct Refusal {
+    ProcessId caller = kNoProcess;
     NodeId call = kNoNode;
     std::size_t precondition = 0;
   };
