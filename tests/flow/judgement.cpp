@@ -107,10 +107,12 @@ bool Judgement::within(Location inner, Location outer) {
 
 const Verdict* Judgement::enclosing(Location place,
                                     std::initializer_list<std::string_view> kinds) const {
+  const Verdict* innermost = nullptr; // a wait contains the statements after its timeout
   for (const Verdict& each : verdicts)
-    if (std::ranges::find(kinds, each.check.kind) != kinds.end() && within(place, each.place))
-      return &each;
-  return nullptr;
+    if (std::ranges::find(kinds, each.check.kind) != kinds.end() && within(place, each.place) &&
+        (!innermost || within(each.place, innermost->place)))
+      innermost = &each;
+  return innermost;
 }
 
 Judged judge(const std::string& program) { return Judgement(program).result(); }

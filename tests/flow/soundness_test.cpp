@@ -89,3 +89,10 @@ TEST_CASE("The engine refutes nothing that the analysis claims about inputs") {
   if (std::getenv("PROSKILL_SEEDS")) WARN(tally.decided << " decided");
   CHECK(tally.impossible > seeds.end - seeds.first);
 }
+
+TEST_CASE("A claim about a statement after a timeout is judged by it, not by the wait around it") {
+  const auto judged = test::judge("(defskill m :body ((^ true :timeout 3 (race ((label again) "
+                                  "(^ true) (goto again))))))");
+  CHECK(judged.codes.contains("PS1008"));
+  CHECK(judged.refuted.empty());
+}
