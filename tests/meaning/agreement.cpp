@@ -130,8 +130,12 @@ Comparison compare(const std::vector<test::Form>& forms, std::size_t limit,
   const auto model = codegen::generate(program, {.edition = edition});
   if (!script || !model) return {};
   const auto comesByItself = [](const syntax::Event* event) { return event->every.has_value(); };
-  script->eventsBecomeDue =
-      edition == codegen::Edition::Expanded && std::ranges::any_of(script->events, comesByItself);
+  const auto isWatched = [](const syntax::StateVariable* variable) {
+    return variable->isNatural() || variable->transitionsKind == syntax::Transitions::Listed;
+  };
+  script->eventsMakeSteps = edition == codegen::Edition::Expanded &&
+                            (std::ranges::any_of(script->events, comesByItself) ||
+                             std::ranges::any_of(script->variables, isWatched));
   return compare(*script, *model, limit, options);
 }
 

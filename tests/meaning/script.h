@@ -75,8 +75,9 @@ struct Script {
   int mission = kNobody;
   int environment = kNobody; ///< thread; nobody: every event and interrupt at any time
   std::int64_t unitsPerSecond = 1;
-  /// The translation makes a step before an event with `:every`: the event becomes due.
-  bool eventsBecomeDue = false;
+  /// The translation makes steps beside those of events: an event with `:every` first becomes due,
+  /// and a forbidden move is noted after it.
+  bool eventsMakeSteps = false;
   /// Where an input is read: the skill and which of its inputs it is.
   std::map<const syntax::Expr*, std::pair<int, int>> parameters;
 

@@ -58,3 +58,13 @@ TEST_CASE("both meanings arm a monitor again when its precondition has been fals
       (defproperty q (leadsto (v Low) (called watch) :within [0,0]))
       (defproperty r (infinitelyoften (ended watch))))");
 }
+
+TEST_CASE("a formula about a step without an event is not compared where moves are noted") {
+  const auto comparison = meaning::compare(
+      {test::Form("(defsv n :init 1 :min 1 :max 3) (defevent e :effects (n (+ n 1)))"
+                  "(defproperty p (ltl (=> ([] (occurs e)) (n 3))))"
+                  "(defproperty q (ltl ([] (=> (n 3) ([] (n 3))))))")},
+      20'000, {}, codegen::Edition::Expanded);
+  CHECK_FALSE(comparison.disagreement);
+  CHECK(comparison.questions == 3); // not `p`
+}

@@ -286,7 +286,7 @@ std::optional<bool> holdsInRuns(const syntax::Property& property, const Script& 
                                 const Runs& runs, const Seen& seen) {
   const Expr& formula = property.operands[0];
   if (hasNext(formula) && hasOtherSteps(script)) return std::nullopt;
-  if (script.eventsBecomeDue && (asksFirstStep(formula) || asksForSilence(formula, {})))
+  if (script.eventsMakeSteps && (asksFirstStep(formula) || asksForSilence(formula, {})))
     return std::nullopt;
   const auto violated = Search(countedBy(property), script, runs, seen).findsRun({&formula, false});
   if (!violated) return std::nullopt;
