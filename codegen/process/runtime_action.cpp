@@ -63,8 +63,8 @@ std::vector<Statement> RuntimeAction::alternatives() {
   for (const auto& invariant : node.invariants)
     all.push_back(sequence({atOnce(), on(frame.fails(invariant)), breakOff(failureOf(invariant))}));
   if (node.interrupt)
-    all.push_back(sequence({synchronise(context.names.interruptPort(skill.name())),
-                            breakOff(outsideInterruptionOf(skill))}));
+    all.push_back(sequence(
+        {synchronise(context.names.interruptPort(skill.name())), breakOff(interruptionOf(skill))}));
   if (skill.obeysStops())
     all.push_back(sequence({atOnce(), on(frame.stop()), breakOff(interruptionOf(skill))}));
   return all;

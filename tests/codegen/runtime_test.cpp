@@ -1,5 +1,7 @@
 #include "tests/codegen/model_of.h"
 
+#include "fiacre/print/print.h"
+
 #include <catch2/catch.hpp>
 
 namespace proskill::test::runtime_test {
@@ -113,6 +115,11 @@ TEST_CASE("an action that is told to stop keeps what its skill holds until it ha
     skill[move].caller := None;
     to interrupted
 )");
+}
+
+TEST_CASE("the end of an action that was stopped does not say that it was stopped from outside") {
+  CHECK_THAT(fiacre::print(runtime().fiacre), Contains("#move_interrupted; // is interrupted\n"
+                                                       "    motion := Free;"));
 }
 
 TEST_CASE("no task is started under a wait") {
