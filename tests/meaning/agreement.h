@@ -15,7 +15,7 @@ namespace proskill::meaning {
 struct Comparison {
   bool tooLarge = false;
   std::size_t questions = 0; ///< decided by both
-  std::size_t limited = 0;   ///< left open by the engine at the number of classes allowed here
+  std::size_t limited = 0;   ///< left open by the engine at a limit
   std::size_t scopes = 0;    ///< among the decided: patterns with a scope or a time
   std::size_t traces = 0;    ///< of the engine, each of which is a run of the interpreter
   std::size_t situations = 0;

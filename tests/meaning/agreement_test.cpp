@@ -86,8 +86,8 @@ Tally compareAll(std::uint64_t first, std::uint64_t count, const test::ProgramSi
     found += "\n  " + kind + ": " + std::to_string(times);
   WARN(tally.programs << " programs, " << tally.tooLarge << " too large, " << tally.questions
                       << " questions (" << tally.scopes << " with scopes or times), "
-                      << tally.limited << " left open at the limit of classes, " << tally.traces
-                      << " traces, " << tally.situations << " situations" << found);
+                      << tally.limited << " left open at a limit, " << tally.traces << " traces, "
+                      << tally.situations << " situations" << found);
   CHECK(tally.disagreements.empty());
   CHECK(tally.limited <= 1 + tally.questions / 1000);
   return tally;
