@@ -4,8 +4,10 @@
 #include "report/run/mcap.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace proskill::report {
 
@@ -32,14 +34,32 @@ runtime::Nanoseconds dateOf(const Json& step) {
   return date->numerator;
 }
 
+/// The file of a program with this path, which the recording may have seen from another folder.
+std::optional<std::uint32_t> fileNamed(const std::filesystem::path& path,
+                                       const analysis::Program& program) {
+  const std::vector<std::filesystem::path> wanted(path.begin(), path.end());
+  std::optional<std::uint32_t> found;
+  std::ptrdiff_t most = 0;
+  for (std::uint32_t i = 0; i < program.files.size(); ++i) {
+    const std::vector<std::filesystem::path> parts(program.files[i].path.begin(),
+                                                   program.files[i].path.end());
+    const auto common =
+        std::ranges::mismatch(wanted.rbegin(), wanted.rend(), parts.rbegin(), parts.rend()).in1 -
+        wanted.rbegin();
+    if (common > most) {
+      most = common;
+      found = i;
+    }
+  }
+  return found;
+}
+
 void locate(const Json& step, const analysis::Program& program, fiacre::Origin& what) {
   const auto found = step.find("location");
   if (found == step.end() || !found->is_object()) return;
   const auto bytes = found->find("bytes");
   if (bytes == found->end() || !bytes->is_array() || bytes->size() != 2) return;
-  const auto name = std::filesystem::path(word(*found, "file")).filename();
-  for (std::uint32_t i = 0; i < program.files.size(); ++i)
-    if (program.files[i].path.filename() == name) what.file = i;
+  what.file = fileNamed(word(*found, "file"), program).value_or(what.file);
   what.begin = (*bytes)[0].is_number_unsigned() ? (*bytes)[0].get<std::uint32_t>() : 0;
   what.end = (*bytes)[1].is_number_unsigned() ? (*bytes)[1].get<std::uint32_t>() : 0;
 }

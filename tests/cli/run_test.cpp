@@ -174,6 +174,29 @@ TEST_CASE("conform reads MCAP, whole or cut off") {
   CHECK(conform(files.write("short.mcap", whole.substr(0, 20))).exitCode == 2);
 }
 
+TEST_CASE("conform distinguishes files with the same name, wherever the program is now") {
+  const test::TemporaryDirectory files;
+  const auto main = [&](const std::string& folder) {
+    std::filesystem::create_directories(files.path(folder + "/a"));
+    std::filesystem::create_directories(files.path(folder + "/b"));
+    files.write(folder + "/a/s.proskill", "(defskill one :time_interval [1,2] :action (one))");
+    files.write(folder + "/b/s.proskill", "\n(defskill two :time_interval [1,2] :action (two))");
+    return files.write(folder + "/m.proskill", "(include \"a/s.proskill\")(include \"b/s.proskill\")"
+                                               "(defskill m :body ((one) (two)))");
+  };
+  const auto here = main("here");
+  const auto there = main("there");
+  for (const std::string recording : {"run.json", "run.mcap"}) {
+    const auto path = files.path(recording);
+    executed({"--record", path, here});
+    for (const auto& program : {here, there}) {
+      const auto done = test::run({PROSKILL_PROGRAM, "conform", path, program});
+      INFO(program << "\n" << done.out << done.err);
+      CHECK(done.exitCode == 0);
+    }
+  }
+}
+
 TEST_CASE("conform learns intervals, and names the properties that change") {
   const auto late = kRunTree + "/docs/tour/late.json";
   const auto done =
