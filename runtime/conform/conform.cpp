@@ -145,7 +145,11 @@ private:
       return keyOf(it) == keyOf(step.what) && it.file == step.what.file &&
              it.begin == step.what.begin && it.end == step.what.end;
     });
-    if (!says) return false;
+    return says && changesAs(step, before, after);
+  }
+
+  [[nodiscard]] bool changesAs(const RecordedStep& step, const Concrete& before,
+                               const Concrete& after) const {
     const auto changes = changesBetween(model.system, before.state, after.state);
     return std::ranges::equal(changes, step.changes, [](const auto& a, const auto& b) {
       return a.variable == b.variable && a.before == b.before && a.after == b.after;
@@ -223,9 +227,30 @@ private:
                           secondsText(age), secondsText(model.promised[id].lower));
         return model.isOfAction[id] || model.isOfEvent[id] ? Broken::Interval : Broken::Other;
       }
-    if (step.what.description == "its action ends without a known result")
+    if (endsWithoutResult(step))
       result.assumption = "an action ends with one of the results of its skill";
+    else if (isElsewhere(before, step))
+      result.why = "in this program this step is at another place: the recording is of another "
+                   "version of it";
     return Broken::Other;
+  }
+
+  /// A skill that can be interrupted ends then as if it had been.
+  [[nodiscard]] bool endsWithoutResult(const RecordedStep& step) const {
+    const auto& said = step.what.description;
+    return said == "its action ends without a known result" ||
+           (said == "is interrupted" && step.stops.empty() && !asked.contains(step.what.actor));
+  }
+
+  /// Whether the recorded step is possible but for its place in the text.
+  bool isElsewhere(const States& before, const RecordedStep& step) {
+    return std::ranges::any_of(before, [&](const Concrete& state) {
+      return std::ranges::any_of(model.candidates(step), [&](TransitionId id) {
+        if (!state.since.contains(id) || !simulator.isRipe(state, id, step.date)) return false;
+        const auto next = simulator.take(state, id, step.date, log);
+        return next && changesAs(step, state, *next);
+      });
+    });
   }
 
   [[nodiscard]] fiacre::Origin lastOrigin() const {

@@ -55,6 +55,30 @@ std::string flight(const std::string& after) {
   return R"({"signals":[],"actions":{"fly":[{"result":"there","after":)" + after + "}]}}";
 }
 
+/// A platform whose action throws after 3 s.
+class Throwing final : public runtime::Platform {
+public:
+  void start(const runtime::Start& start, runtime::Nanoseconds date) override {
+    end = {.kind = runtime::ReportKind::Result,
+           .date = date + 3 * runtime::kSecond,
+           .action = start.action,
+           .run = start.run,
+           .text = "its action failed"};
+  }
+  bool stop(std::uint32_t, runtime::RunNumber, runtime::Nanoseconds) override { return true; }
+  [[nodiscard]] std::optional<runtime::Nanoseconds> next() const override {
+    return end ? std::optional(end->date) : std::nullopt;
+  }
+  bool poll(runtime::Nanoseconds date, runtime::Report& report) override {
+    if (!end || end->date > date) return false;
+    report = *std::exchange(end, std::nullopt);
+    return true;
+  }
+
+private:
+  std::optional<runtime::Report> end;
+};
+
 /// A platform with occasional interrupts of everything and frequent events, except those with
 /// `:every`.
 std::string interruptions(const runtime::Executable& executable) {
@@ -89,6 +113,25 @@ TEST_CASE("conform finds the assumption that a run breaks") {
                               R"({"actions":{"fly":{"stops":[0.5,0.5]}}})");
   CHECK(slow.verdict == Conformance::Deviates);
   CHECK(slow.assumption == "an action stops at once; that of `fly` took 0.5 s");
+}
+
+TEST_CASE("an action without a result breaks an assumption") {
+  const auto executable = test::executableOf(kProgram, false);
+  Throwing platform;
+  const auto ran = test::runOf(*executable, platform, {.until = 60 * runtime::kSecond});
+  INFO(ran.text());
+  const auto result = judged(kProgram, ran.recorded);
+  CHECK(result.verdict == Conformance::Deviates);
+  CHECK(result.assumption == "an action ends with one of the results of its skill");
+}
+
+TEST_CASE("a recording of another version of the program is called one") {
+  const auto run = test::runOf(*test::executableOf(kProgram, false), 0, flight("3")).recorded;
+  const auto result = judged("; a comment" + kProgram, run);
+  CHECK(result.verdict == Conformance::Deviates);
+  CHECK(result.step == 0);
+  CHECK(result.why == "in this program this step is at another place: the recording is of another "
+                      "version of it");
 }
 
 TEST_CASE("an interval is broken, whatever an environment that was not executed has done") {
