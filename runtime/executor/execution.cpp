@@ -63,9 +63,10 @@ void Execution::step() {
   if (due && due->date <= std::min(now, options.until.value_or(now))) {
     passTimeTo(due->date);
     lag = now - date;
-    tellHeldUp();
+    tellHeldUp(lag);
     return take(due->transition, date);
   }
+  if (expected) tellHeldUp(now - *std::exchange(expected, std::nullopt));
   passTimeTo(std::min(now, options.until.value_or(now)));
   if (options.until && date >= *options.until) return end(End::Until);
   lag = 0;
@@ -83,12 +84,13 @@ void Execution::passTimeTo(Nanoseconds to) {
 }
 
 /// Reports that a run is late, because the machine was suspended or the process was stopped.
-void Execution::tellHeldUp() {
-  const bool is = lag > kSecond;
+void Execution::tellHeldUp(Nanoseconds late) {
+  const bool is = late > kSecond;
   if (is && !std::exchange(isHeldUp, is))
     tell({.kind = RemarkKind::Note,
           .date = date,
-          .text = "this process was suspended: steps are taken later than their dates"});
+          .text = "this process was suspended: steps are taken later than their dates, and what the "
+                "platform has reported is dated later"});
   isHeldUp = is;
 }
 
@@ -104,6 +106,7 @@ void Execution::await(const std::optional<Machine::Due>& due) {
   limit(graceEnd());
   if (!first && !platform.mayReport()) return end(End::Stuck);
   limit(options.until);
+  if (first) expected = std::max(*first, date);
   waitUntil(first);
 }
 

@@ -55,7 +55,7 @@ private:
   // Steps
   void step();
   void passTimeTo(Nanoseconds to);
-  void tellHeldUp();
+  void tellHeldUp(Nanoseconds late);
   void await(const std::optional<Machine::Due>& due);
   void take(verify::TransitionId step, Nanoseconds at);
   [[nodiscard]] bool missionIsOver() const;
@@ -109,6 +109,7 @@ private:
   bool isWaiting = false; ///< after `proceed`
   bool hasWaited = false; ///< for the platform
   std::optional<Nanoseconds> wake;
+  std::optional<Nanoseconds> expected; ///< when the last wait should have ended at the latest
   Nanoseconds date = 0;
   Nanoseconds lag = 0;
   Nanoseconds deadline = 0; ///< Stops, Close: the platform has time until then

@@ -267,7 +267,23 @@ TEST_CASE("after a clock has jumped, steps keep their own dates, and it is said"
   CHECK(ran.maxLag == 3599 * runtime::kSecond);
   REQUIRE(ran.told(RemarkKind::Note));
   CHECK(ran.told(RemarkKind::Note)->text ==
-        "this process was suspended: steps are taken later than their dates");
+        "this process was suspended: steps are taken later than their dates, and what the platform "
+        "has reported is dated later");
+  CHECK(std::ranges::count(ran.remarks, RemarkKind::Note, &test::Ran::Told::kind) == 1);
+}
+
+TEST_CASE("a result that is read late, since a clock has jumped, comes with a note") {
+  const auto executable = test::executableOf(mission("(fly) (success done)"), false);
+  Silent late;
+  bool isOver = false;
+  late.onPoll = [&](runtime::Nanoseconds date, runtime::Report& report) {
+    report = {.kind = runtime::ReportKind::Result, .date = date, .run = 1, .result = 0};
+    return date > runtime::kSecond && !std::exchange(isOver, true);
+  };
+  Jumping clock({0, runtime::kSecond, 3600 * runtime::kSecond});
+  const auto ran = runOf(*executable, late, clock, {});
+  INFO(ran.text());
+  CHECK(ran.result.end == End::Mission);
   CHECK(std::ranges::count(ran.remarks, RemarkKind::Note, &test::Ran::Told::kind) == 1);
 }
 
