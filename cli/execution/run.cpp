@@ -34,9 +34,12 @@ std::atomic<int> stopRequests = 0;
 int stopDescriptor = -1;
 /// Whether a page of the run is closed, too.
 std::atomic<bool> mustLeave = false;
+/// Whether nobody reads the output any more. This is one request, however much is written.
+std::atomic<bool> isUnread = false;
 
 void askToStop(int signal) {
-  if (signal == SIGTERM) mustLeave = true;
+  if (signal == SIGPIPE && isUnread.exchange(true)) return;
+  if (signal == SIGTERM || signal == SIGHUP) mustLeave = true;
   ++stopRequests;
   const std::uint64_t one = 1;
   std::ignore = ::write(stopDescriptor, &one, sizeof one);
@@ -46,7 +49,10 @@ void listenForStops() {
   stopDescriptor = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
   struct sigaction action {};
   action.sa_handler = askToStop;
-  for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+  for (const int signal : {SIGINT, SIGTERM, SIGPIPE}) sigaction(signal, &action, nullptr);
+  struct sigaction before {};
+  sigaction(SIGHUP, nullptr, &before);
+  if (before.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr); // by `nohup`
 }
 
 /// Waits for the next request after those that the run has taken.

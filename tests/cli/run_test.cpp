@@ -145,13 +145,44 @@ TEST_CASE("a run of a day is recorded whole, in as much memory as a short one") 
 }
 
 TEST_CASE("run ends in order when it is asked to") {
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const auto ended = executed({"--clock", "real", "--format", "json", kDockToRun},
                                 {.onOutput = [signal](int process) { kill(process, signal); }});
     INFO(ended.out << ended.err);
     CHECK(ended.exitCode == 3);
     CHECK(ended.out.find("stopped: every action has ended") != std::string::npos);
   }
+}
+
+TEST_CASE("a run whose output nobody reads any more ends in order") {
+  const test::TemporaryDirectory files;
+  const auto path = files.path("run.json");
+  const auto chatty = files.write("chatty.proskill",
+                                  "(defskill act :action (act) :interrupt ()) (defskill m :body "
+                                  "((// ((act)) ((while true (^ 0.01))))))");
+  const auto platform = files.write("platform.json", R"({"actions":{"act":{"duration":[600,600],)"
+                                                     R"("stops":[0.02,0.02]}}})");
+  const auto done = test::run({"/bin/bash", "-c",
+                               PROSKILL_PROGRAM " run --clock real --until 600 --platform " +
+                                   platform + " --record " + path + " " + chatty +
+                                   " | head -n 3 >/dev/null; exit ${PIPESTATUS[0]}"});
+  INFO(done.out << done.err);
+  CHECK(done.exitCode == 3);
+  const auto recorded = recordedIn(path);
+  const auto asked = recorded.find("asked to end: actions are stopped");
+  REQUIRE(asked != std::string::npos);
+  CHECK(recorded.find("the platform is asked to stop its action", asked) != std::string::npos);
+}
+
+TEST_CASE("a run that nohup protects goes on without its terminal") {
+  const test::TemporaryDirectory files;
+  const auto waits = files.write("waits.proskill", "(defskill m :body ((^ 0.3)))");
+  const auto done = test::run({"/bin/sh", "-c",
+                               "trap '' HUP; exec " PROSKILL_PROGRAM " run --clock real --format json " +
+                                   waits},
+                              {.onOutput = [](int process) { kill(process, SIGHUP); }});
+  INFO(done.out << done.err);
+  CHECK(done.exitCode == 0);
 }
 
 TEST_CASE("conform reads MCAP, whole or cut off") {
