@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -107,6 +108,7 @@ private:
     if (!each->resources.empty())
       return fail(each.at(each->resources.front().range), "a resource with a capacity");
     if (each->unstoppable) fail(each.at(each->name.range), "a skill that must not be stopped");
+    if (each->action && !isNamesake(each.node())) note(each.at(each->action->range), "an action of another form");
     if (each->timeInterval) note(each.at(each->timeInterval->range), "how long a skill takes");
     line(1, fmt::format("skill {} {{", named(each.name())));
     inputs(each.node());
@@ -130,6 +132,17 @@ private:
     outcomes("success", each->successes);
     outcomes("failure", each->failures);
     line(1, "}");
+  }
+
+  /// Whether the action has the name of its skill, and the skill's inputs as its arguments.
+  static bool isNamesake(const syntax::Skill& skill) {
+    const auto& action = *skill.action;
+    return action.command.text == skill.name.text &&
+           std::ranges::equal(action.arguments, skill.inputs,
+                              [](const syntax::Expr& argument, const auto& input) {
+                                return argument.kind == Kind::Parameter &&
+                                       argument.name.text == input.name.text;
+                              });
   }
 
   void inputs(const syntax::Skill& skill) {

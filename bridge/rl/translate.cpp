@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 namespace proskill::bridge::rl {
 
@@ -20,11 +21,24 @@ std::string_view typeOf(std::string type) {
 }
 
 void Translation::add(const Skillset& skillset) {
+  if (!skillsets.insert(skillset.name.text).second)
+    errors.push_back({skillset.name.place,
+                      fmt::format("a second skillset is called `{}`", skillset.name.text)});
+  checkNames(skillset.events, "event");
+  checkNames(skillset.skills, "skill");
   Scope scope(errors);
   for (const auto& resource : skillset.resources) variable(skillset, resource, scope);
   for (const auto& each : skillset.events) event(skillset, each, scope);
   for (const auto& each : skillset.skills) skill(skillset, each, scope);
   data += skillset.data.size() + skillset.parameters.size();
+}
+
+void Translation::checkNames(const auto& all, const char* kind) {
+  std::set<std::string> seen;
+  for (const auto& each : all)
+    if (!seen.insert(each.name.text).second)
+      errors.push_back(
+          {each.name.place, fmt::format("a second {} is called `{}`", kind, each.name.text)});
 }
 
 std::string Translation::nameOf(const Skillset& skillset, const Word& word) {
@@ -93,6 +107,8 @@ void Translation::skill(const Skillset& skillset, const Skill& skill, Scope& sco
   for (const auto& input : skill.inputs) command.parts.emplace_back("$" + asName(input.name.text));
   append(form.parts, {":action", command});
   interrupt(skill, scope, form);
+  checkNames(skill.successes, "success");
+  checkNames(skill.failures, "failure");
   outcomes(skill.successes, ":success", results, scope, form);
   outcomes(skill.failures, ":failure", results, scope, form);
   skills.push_back(std::move(form));

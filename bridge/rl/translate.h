@@ -5,6 +5,7 @@
 
 #include <expected>
 #include <map>
+#include <set>
 
 namespace proskill::bridge::rl {
 
@@ -49,6 +50,8 @@ public:
   std::size_t interrupts = 0;   ///< skills that may be interrupted
 
 private:
+  /// Reports names that two of a list have.
+  void checkNames(const auto& all, const char* kind);
   void variable(const Skillset& skillset, const Resource& resource, Scope& scope);
   void event(const Skillset& skillset, const Event& event, Scope& scope);
   void skill(const Skillset& skillset, const Skill& skill, Scope& scope);
@@ -61,6 +64,7 @@ private:
 
   const std::filesystem::path folder;
   const bool several;
+  std::set<std::string> skillsets; ///< added so far
   Block events;
   std::size_t data = 0;
   std::size_t outputs = 0;

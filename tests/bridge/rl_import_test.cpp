@@ -120,6 +120,31 @@ TEST_CASE("errors in skillsets have places") {
         "main.rl:7:21: this invariant needs a `guard`\n");
 }
 
+TEST_CASE("what may be there once in a skillset is not overwritten by a second one") {
+  const auto secondIn = [](const std::string& inner) {
+    return errorsIn(skillset(kResource + inner));
+  };
+  CHECK(secondIn("event e { guard r == A guard r == B effect r -> A }") ==
+        "main.rl:7:24: a second `guard`\n");
+  CHECK(secondIn("resource q { state { A B } initial A initial B transition all }") ==
+        "main.rl:7:38: a second `initial`\n");
+  CHECK(secondIn("resource q { state { A B } initial A transition all transition { A -> B } }") ==
+        "main.rl:7:53: a second `transition`\n");
+  CHECK(secondIn("skill k { invariant i { guard r == A guard r == B } }") ==
+        "main.rl:7:38: a second `guard`\n");
+  CHECK(secondIn("skill k { success s { postcondition r == A postcondition r == B } }") ==
+        "main.rl:7:44: a second `postcondition`\n");
+  CHECK(secondIn("skill k { interrupt { interrupting true } interrupt { effect r -> A } }") ==
+        "main.rl:7:43: a second `interrupt`\n");
+  CHECK(secondIn("skill k { success s { } success s { effect r -> A } }") ==
+        "main.rl:7:33: a second success is called `s`\n");
+  CHECK(secondIn("event e { effect r -> A } event e { effect r -> B }") ==
+        "main.rl:7:33: a second event is called `e`\n");
+  CHECK(secondIn("skill k { } skill k { }") == "main.rl:7:19: a second skill is called `k`\n");
+  CHECK(errorsIn(skillset(kResource) + skillset(kResource)) ==
+        "main.rl:9:10: a second skillset is called `s`\n");
+}
+
 TEST_CASE("files include each other, but not themselves") {
   const auto other = "skillset o { " + kResource + " }";
   const auto both =
@@ -163,14 +188,17 @@ TEST_CASE("a program is written as a skillset as far as RL can say it") {
 (defevent e :every [1,2] :effects (a Y))
 (defskill k :input ($h float) :precondition (p (<=> (a X) (/= a Y))) :time_interval [1,2]
   :action (k $h) :success (:effects (a Y)))
-(defskill m :body ((k h 1.0))))"}});
+(defskill l :input ($h float) :action (lift $h 3))
+(defskill m :body ((k h 1.0) (l h 2))))"}});
   const auto emitted = bridge::rl::emitSkillset(analysis::load(files, "p"), "robot");
   REQUIRE(emitted);
   CHECK(contains(emitted->text, "skillset robot {\n    resource a {\n        state { X Y }\n"));
   CHECK(contains(emitted->text, "precondition p: ((a == X => a != Y) and (a != Y => a == X))"));
-  REQUIRE(emitted->notes.size() == 3);
+  REQUIRE(emitted->notes.size() == 4);
   CHECK(emitted->notes[0].message == "not in RL: the time between two events");
   CHECK(emitted->notes[0].place.line == 2);
+  CHECK(emitted->notes[2].message == "not in RL: an action of another form");
+  CHECK(emitted->notes[2].place.line == 5);
   CHECK(importSkillsets(MemoryFiles({{"x.rl", emitted->text}}), "x.rl", {}));
 }
 

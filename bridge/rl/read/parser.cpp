@@ -2,6 +2,8 @@
 
 #include "bridge/text/token_reader.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace proskill::bridge::rl {
@@ -59,6 +61,14 @@ private:
       reader.fail("`parameter`, `data`, `resource`, `event` or `skill`");
   }
 
+  /// Takes the keyword of a part that may be there once.
+  bool takeOnly(const char* keyword, bool isThere) {
+    const auto place = reader.peek().place;
+    if (!reader.takeIf(keyword)) return false;
+    if (isThere) reader.fail(place, fmt::format("a second `{}`", keyword));
+    return true;
+  }
+
   // --- Types and variables
 
   void skipAngles() {
@@ -111,9 +121,9 @@ private:
   void resourceField(Resource& made) {
     if (reader.takeIf("state"))
       reader.oneOrMore([&] { made.states.push_back(reader.word("a state")); });
-    else if (reader.takeIf("initial"))
+    else if (takeOnly("initial", !made.initial.text.empty()))
       made.initial = reader.word("a state");
-    else if (!reader.takeIf("transition"))
+    else if (!takeOnly("transition", made.allMoves || !made.moves.empty()))
       reader.fail("`state`, `initial` or `transition`");
     else if (reader.takeIf("all"))
       made.allMoves = true;
@@ -130,7 +140,7 @@ private:
     made.name = reader.word("the name of an event");
     reader.expect("{");
     reader.untilBrace([&] {
-      if (reader.takeIf("guard"))
+      if (takeOnly("guard", made.guard.has_value()))
         made.guard = expr();
       else
         effects(made.effects);
@@ -162,9 +172,9 @@ private:
       reader.oneOrMore([&] { made.start.push_back(effect()); });
     else if (reader.takeIf("invariant"))
       reader.oneOrMore([&] { made.invariants.push_back(invariant()); });
-    else if (reader.takeIf("progress"))
+    else if (takeOnly("progress", made.progress.has_value()))
       made.progress = place, progress();
-    else if (reader.takeIf("interrupt"))
+    else if (takeOnly("interrupt", made.interrupt.has_value()))
       interrupt(made.interrupt.emplace(Interrupt{place, false, {}, {}}));
     else if (reader.takeIf("success"))
       reader.oneOrMore([&] { made.successes.push_back(outcome()); });
@@ -188,7 +198,7 @@ private:
     reader.expect("{");
     bool guarded = false;
     reader.untilBrace([&] {
-      if (reader.takeIf("guard"))
+      if (takeOnly("guard", guarded))
         made.guard = expr(), guarded = true;
       else
         effects(made.effects);
@@ -227,7 +237,7 @@ private:
   }
 
   void ending(Effects& all, std::optional<Expr>& postcondition) {
-    if (reader.takeIf("postcondition"))
+    if (takeOnly("postcondition", postcondition.has_value()))
       postcondition = expr();
     else
       effects(all);
