@@ -103,6 +103,18 @@ TEST_CASE("scripts have their form, and nodes what they cannot do without") {
         "main.xml:4:1: this is not a script: unexpected `:=`\n"
         "main.xml:5:1: this is not a script: it ends too early\n"
         "main.xml:6:1: `SetBlackboard` needs an attribute `value`\n");
+  CHECK(errorsIn(treeOf("<Sequence><A _skipIf=\"x =\" _post=\"\"/>\n<A _onHalted=\"= 3\"/>\n"
+                        "<Precondition if=\"x +\"><A/></Precondition>\n"
+                        "<Precondition if=\"{x}\"><A/></Precondition><Precondition><A/></Precondition>"
+                        "\n<UnsetBlackboard/><WasEntryUpdated/>\n"
+                        "<SkipUnlessUpdated><A/></SkipUnlessUpdated></Sequence>")) ==
+        "main.xml:3:11: this is not a script: it ends too early\n"
+        "main.xml:4:1: this is not a script: unexpected `=`\n"
+        "main.xml:5:1: this is not a script: it ends too early\n"
+        "main.xml:6:43: `Precondition` needs an attribute `if`\n"
+        "main.xml:7:1: `UnsetBlackboard` needs an attribute `key`\n"
+        "main.xml:7:19: `WasEntryUpdated` needs an attribute `entry`\n"
+        "main.xml:8:1: `SkipUnlessUpdated` needs an attribute `entry`\n");
   using bridge::bt::scriptError;
   for (const auto* good : {"x := 3", "a=1; b += -2.5 ;", "val >= 10 && !(msg == 'a;b' || x)",
                            "x := (y > 0) ? 'p' : 'q'", "@root := 0x1F | ~2", "a..b == 'c'",

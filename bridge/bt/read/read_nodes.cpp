@@ -19,6 +19,25 @@ constexpr auto kReserved = std::to_array<std::string_view>(
     {"_failureIf", "_successIf", "_skipIf", "_while", "_onSuccess", "_onFailure", "_onHalted",
      "_post", "_autoremap", "_description", "_fullpath", "_uid"});
 
+constexpr auto kScripts =
+    std::to_array<std::string_view>({"_failureIf", "_successIf", "_skipIf", "_while", "_onSuccess",
+                                     "_onFailure", "_onHalted", "_post"});
+
+/// Ports without which BehaviorTree.CPP does not execute a node.
+struct Needed {
+  std::string_view type;
+  const char* port;
+};
+constexpr auto kNeeded = std::to_array<Needed>({{"SetBlackboard", "output_key"},
+                                                {"SetBlackboard", "value"},
+                                                {"UnsetBlackboard", "key"},
+                                                {"Script", "code"},
+                                                {"ScriptCondition", "code"},
+                                                {"Precondition", "if"},
+                                                {"WasEntryUpdated", "entry"},
+                                                {"SkipUnlessUpdated", "entry"},
+                                                {"WaitValueUpdate", "entry"}});
+
 /// Attributes of subtrees in version 3: both let a subtree use the entries outside.
 bool isOfVersion3(std::string_view key) {
   return key == "__shared_blackboard" || key == "__autoremap";
@@ -61,6 +80,8 @@ Node NodeReader::node(const Element& element) {
 
 void NodeReader::attributes(const Element& element, Node& node) {
   for (const auto& [key, value] : element.attributes) {
+    if (std::ranges::find(kScripts, key) != kScripts.end() && !value.empty())
+      script(element, value);
     if (tag(element).starts_with("SubTree") && isOfVersion3(key))
       node.ports.emplace(key.substr(1), value);
     else if (key.starts_with('_') && std::ranges::find(kReserved, key) == kReserved.end())
@@ -86,18 +107,16 @@ void NodeReader::classify(const Element& element, Node& node) {
 }
 
 void NodeReader::needed(const Element& element) {
-  if (tag(element) == "Script" || tag(element) == "ScriptCondition") return script(element);
-  if (tag(element) != "SetBlackboard") return;
-  for (const auto* port : {"output_key", "value"})
-    if (element.attribute(port) == nullptr)
-      fail(element, fmt::format("`{}` needs an attribute `{}`", tag(element), port));
+  for (const auto& [type, port] : kNeeded)
+    if (tag(element) == type && element.attribute(port) == nullptr)
+      fail(element, fmt::format("`{}` needs an attribute `{}`", type, port));
+  for (const auto* port : {"code", "if"})
+    if (const auto* script = element.attribute(port); script && !script->starts_with('{'))
+      this->script(element, *script);
 }
 
-void NodeReader::script(const Element& element) {
-  const auto* code = element.attribute("code");
-  if (code == nullptr)
-    return fail(element, fmt::format("`{}` needs an attribute `code`", tag(element)));
-  if (const auto why = scriptError(*code))
+void NodeReader::script(const Element& element, const std::string& code) {
+  if (const auto why = scriptError(code))
     fail(element, fmt::format("this is not a script: {}", *why));
 }
 

@@ -19,7 +19,7 @@ private:
   void classifyCustom(const Element& element, Node& node);
   /// Attributes that a node of BehaviorTree.CPP cannot do without.
   void needed(const Element& element);
-  void script(const Element& element);
+  void script(const Element& element, const std::string& code);
   void undeclaredPorts(const Node& node);
   void countChildren(const Element& element, std::size_t least, std::size_t most);
   void fail(const Element& element, std::string message);
