@@ -37,9 +37,18 @@ int writeAt(int descriptor, std::string_view bytes, std::string_view end, std::i
   return 0;
 }
 
+/// What was written to a pipe cannot be overwritten, and opening it waits for a reader.
+bool isPipe(const std::string& path) {
+  struct stat status {};
+  return stat(path.c_str(), &status) == 0 && (S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode));
+}
+
 } // namespace
 
 std::expected<GrowingFile, std::string> GrowingFile::create(const std::string& path) {
+  if (isPipe(path))
+    return std::unexpected(path + " cannot be written: it is a pipe, in which no end can be "
+                                  "overwritten");
   GrowingFile file(path);
   if (const int error = file.open()) return std::unexpected(notWritten(path, error));
   return file;

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <signal.h>
 #include <sstream>
+#include <sys/stat.h>
 
 using namespace proskill;
 using Json = nlohmann::json;
@@ -60,6 +61,15 @@ TEST_CASE("run prints a JSON object a line") {
   CHECK(all.front()["location"]["begin"]["line"] == 23);
   CHECK(all.back()["kind"] == "end");
   CHECK(all.back()["mission"] == "success");
+}
+
+TEST_CASE("a recording in a pipe is refused at once") {
+  const test::TemporaryDirectory files;
+  const auto pipe = files.path("pipe.mcap");
+  REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
+  const auto done = executed({"--record", pipe, kDockToRun});
+  CHECK(done.exitCode == 2);
+  CHECK(done.err.find("cannot be written: it is a pipe") != std::string::npos);
 }
 
 TEST_CASE("run follows a script") {
