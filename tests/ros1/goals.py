@@ -105,6 +105,21 @@ class Goals(Case):
         os.kill(self.running.pid, signal.SIGKILL)
         until(lambda: f"ended {how.WAIT}" in self.log(), "the cancel")
 
+    def test_a_subscriber_that_does_not_read_holds_no_skill_and_gets_nothing_after_its_stop(self):
+        much = "x" * 400_000  # soon fills what the connection holds
+        self.mission(f"""(label again) (race ((say text "{much}")) ((^ 1))) (if (/= say.status interrupted) (goto again))
+            (race ((say text "late")) ((^ 0.3))) (^ (battery Critical)) (say text "end")""")
+        self.begin()
+        self.until_it_says("succeeds")
+        self.server.send_signal(signal.SIGSTOP)
+        self.until_it_says('(say \\"late')
+        self.until_it_says('"stops":"say"')
+        self.server.send_signal(signal.SIGCONT)
+        self.tell(0.1)
+        self.ends()
+        self.sees("said end")
+        self.assertNotIn("said late", self.log())
+
     def test_a_variable_has_hysteresis(self):
         self.mission("(^ (battery Good)) (^ (battery Critical)) (^ (battery Good))")
         self.begin()

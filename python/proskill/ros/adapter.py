@@ -30,6 +30,16 @@ class Run:
     def end(self, kind: str, **members: Any) -> None:
         self._adapter.end(self, kind, **members)
 
+    def perform(self, part: Callable[..., None], *arguments: Any) -> None:
+        """Does a part of the run. An exception ends the run; otherwise its skill would wait for ever."""
+        try:
+            part(self, *arguments)
+        except Exception as error:
+            self.end("failed", text=f"{type(error).__name__}: {error}")
+
+    def perform_in_thread(self, part: Callable[..., None], *arguments: Any) -> None:
+        threading.Thread(target=self.perform, args=(part, *arguments), daemon=True).start()
+
 
 def result_of(cases: list[dict[str, Any]] | None, message: Any, field: Callable[[Any, str], Any]) -> str | None:
     """The name of the first result whose condition holds. None if the message that decides is gone."""
@@ -148,18 +158,12 @@ class Adapter:
             started = Run(self, message["run"], self._performers[message["skill"]])
             with self._changed:
                 self._runs[started.number] = started
-            self._begin(started, message)
+            started.perform(started.performer.start, message["arguments"])
         run = self._runs.get(message.get("run", 0))
         if run and message.get("type") in ("stop", "abandon"):
             run.abandoned = message["type"] == "abandon"
             run.asked = True
             run.performer.stop(run)
-
-    def _begin(self, run: Run, message: dict[str, Any]) -> None:
-        try:
-            run.performer.start(run, message["arguments"])
-        except Exception as error:  # an argument without a value, for example
-            run.end("failed", text=f"{type(error).__name__}: {error}")
 
     def _report(self, event: str | None) -> None:
         if event:

@@ -42,18 +42,12 @@ class ByGoal:
     def start(self, run: Run, arguments: list[Any]) -> None:
         message = self._server.new_goal()
         messages.fill(message.goal, self._mapping["fields"], arguments)
-        run.goal = Goal(message, self._patience, lambda output, goal: self._ended(run, output, goal))
+        run.goal = Goal(message, self._patience, lambda output, goal: run.perform(self._end, output, goal))
         self._server.start(run.goal)
 
     def stop(self, run: Run) -> None:
         if run.goal:
             self._server.stop(run.goal)
-
-    def _ended(self, run: Run, output: Output, goal: Goal) -> None:
-        try:
-            self._end(run, output, goal)
-        except Exception as error:  # otherwise the skill would wait for ever
-            run.end("failed", text=f"{type(error).__name__}: {error}")
 
     def _end(self, run: Run, output: Output, goal: Goal) -> None:
         if output is Output.END_STOPPED:
@@ -92,16 +86,16 @@ class ByService:
         return ""
 
     def start(self, run: Run, arguments: list[Any]) -> None:
-        threading.Thread(target=self._call, args=(run, arguments), daemon=True).start()
+        run.perform_in_thread(self._call, arguments)
 
     def stop(self, run: Run) -> None:
         pass
 
     def _call(self, run: Run, arguments: list[Any]) -> None:
+        request = messages.fill(self._class._request_class(), self._mapping["fields"], arguments)
         try:
-            request = messages.fill(self._class._request_class(), self._mapping["fields"], arguments)
             answer = rospy.ServiceProxy(self._mapping["name"], self._class)(request)
-        except Exception as error:
+        except rospy.ServiceException as error:
             run.end("failed", text=f"the service `{self._mapping['name']}`: {error}")
             return
         found = result_of(self._mapping["results"], answer, messages.field)
@@ -122,20 +116,21 @@ class ByTopic:
             warnings.simplefilter("ignore", SyntaxWarning)
             self._publisher = rospy.Publisher(mapping["name"], self._class, queue_size=None)
         self._patience = adapter.patience
+        self._sending = threading.Lock()
 
     def missing(self) -> str:
         return ""
 
     def start(self, run: Run, arguments: list[Any]) -> None:
-        threading.Thread(target=self._publish, args=(run, arguments), daemon=True).start()
+        run.perform_in_thread(self._publish, arguments)
 
     def stop(self, run: Run) -> None:
         run.end("stopped")  # also while a subscriber does not read
 
     def _publish(self, run: Run, arguments: list[Any]) -> None:
-        try:
-            message = messages.fill(self._class(), self._mapping["fields"], arguments)
-            self._await_subscriber(run)
+        message = messages.fill(self._class(), self._mapping["fields"], arguments)
+        self._await_subscriber(run)
+        with self._sending:  # what waits for a subscriber that does not read is not sent after its stop
             if run.asked:
                 return
             if self._publisher.get_num_connections():
@@ -143,8 +138,6 @@ class ByTopic:
                 run.end("result", result=self._mapping["result"])
             else:
                 run.end("failed", text=f"nobody reads the topic `{self._mapping['name']}`")
-        except Exception as error:  # otherwise the skill would wait for ever
-            run.end("failed", text=f"{type(error).__name__}: {error}")
 
     def _await_subscriber(self, run: Run) -> None:
         end = time.monotonic() + self._patience
