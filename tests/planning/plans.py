@@ -99,6 +99,21 @@ class Plans(unittest.TestCase):
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertRegex(done.stderr, "^plan 1, .*\n  its order: ride First, .*\n  verified: every run")
 
+    def test_a_skill_that_may_take_any_time(self):
+        with tempfile.TemporaryDirectory() as folder:
+            text = """(defsv gate :states (Shut Open) :init Shut)
+(defsv cart :states (Out In) :init Out)
+(defskill open_gate :time_interval [0.5,2] :action (open) :success open (:effects (gate Open)))
+(defskill enter :precondition (way (gate Open)) :action (enter) :success there (:effects (cart In)))
+"""
+            for planner in ("aries", "tamer"):
+                done = plan("(cart In)", changed(text, folder), "--planner", planner)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertRegex(done.stderr, "its order: open_gate, enter\n  verified: every run")
+            done = plan("(cart In)", changed(text, folder), "--anml")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("action enter", done.stdout)
+
     def test_an_impossible_goal(self):
         with tempfile.TemporaryDirectory() as folder:
             text = SURVEY.read_text(encoding="utf-8").replace("(area Photographed)", "(area Unknown)")

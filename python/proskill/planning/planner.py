@@ -35,10 +35,19 @@ class Answer:
 
 
 DURATION = re.compile(r"\?duration ([\d.]+)")
+UNLIMITED = re.compile(r":duration (\(>= \?duration [\d.]+\))")
+
+
+def limited(domain: str) -> str:
+    """Each duration with an upper limit, without which unified-planning reads none. Where there is no limit it is one
+    that no plan needs, longer than all others together."""
+    longest = 1000 + 10 * math.ceil(sum(Fraction(each) for each in DURATION.findall(domain)))
+    return UNLIMITED.sub(rf":duration (and \1 (<= ?duration {longest}))", domain)
 
 
 def run_planner(engine: str, domain: str, problem: str, seconds: float, megabytes: int) -> Answer:
     """Asks a planner in a unit of time in which all durations are whole: Aries fails with others."""
+    domain = limited(domain)
     unit = Fraction(1, math.lcm(*(Fraction(each).denominator for each in DURATION.findall(domain))))
     scaled = DURATION.sub(lambda it: f"?duration {Fraction(it[1]) / unit}", domain)
     answer = answer_of(engine, scaled, problem, seconds, megabytes)
