@@ -89,13 +89,14 @@ void Translation::skill(const Service& service) {
   form.comment = asComment(service.name.place,
                            fmt::format("{} {}", kindOf(service), service.name.text), folder);
   std::vector<Form> inputs;
+  NamePool inputNames; // parts of `ids` may have one name: `linear.max`, `angular.max`
   Form command = list(service.name.text);
   for (const auto& parameter : service.parameters) {
     if (!parameter.isInput) {
       ++outputs;
       continue;
     }
-    const auto input = "$" + asName(parameter.name.text);
+    const auto input = "$" + inputNames.take(parameter.name.text);
     append(inputs, {input, parameter.scalar});
     command.parts.emplace_back(input);
   }

@@ -89,6 +89,14 @@ port in double width;)"));
   CHECK(imported.summary.front() == "not in the program: 1 port, 1 task, 4 codels, 2 outputs");
 }
 
+TEST_CASE("parts of the internal data with one name are several inputs with their types") {
+  const auto imported = importedOf(component(R"(
+ids { struct s { double max; long steps[4]; } linear, angular[2]; };
+attribute set(in linear.max, in angular[1].max, in linear.steps[2], in linear.steps);)"));
+  CHECK(imported.text.find("  :input ($max float $max_2 float $steps int $steps_2 string)\n"
+                           "  :action (set $max $max_2 $steps $steps_2)\n") != std::string::npos);
+}
+
 TEST_CASE("a service that is interrupted watches a variable that the other one sets") {
   const auto imported = importedOf(component(R"(
 activity a() { codel<start> s() yield pause::start, ether; interrupt b, c; };

@@ -12,6 +12,7 @@ namespace proskill::bridge::gen {
 struct Type {
   std::string scalar = "string";
   std::map<std::string, Type, std::less<>> members;
+  std::string element = "string"; ///< of an array, its scalar
 };
 
 struct Parameter {

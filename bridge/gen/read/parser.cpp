@@ -174,9 +174,8 @@ private:
       parameter.name = reader.word("a part of `ids`");
       const auto found = type->members.find(parameter.name.text);
       type = found == type->members.end() ? &none : &found->second;
-      types.skipBrackets();
+      parameter.scalar = types.skipBrackets() ? type->element : type->scalar;
     } while (reader.takeIf("."));
-    parameter.scalar = type->scalar;
   }
 
   void property(Service& service) {

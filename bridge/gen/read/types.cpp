@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace proskill::bridge::gen {
 namespace {
 
@@ -81,7 +83,7 @@ Type Types::members() {
 
 std::pair<Word, Type> Types::declarator(const Type& type) {
   std::pair<Word, Type> result{reader.word("a name"), type};
-  if (skipBrackets()) result.second.scalar = "string";
+  if (skipBrackets()) result.second.element = std::exchange(result.second.scalar, "string");
   return result;
 }
 
