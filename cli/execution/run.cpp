@@ -5,6 +5,7 @@
 #include "cli/execution/recording_format.h"
 #include "cli/execution/run_arguments.h"
 #include "cli/execution/service.h"
+#include "cli/execution/stop_requests.h"
 #include "cli/output/checked_program.h"
 #include "cli/terminal/error.h"
 #include "cli/terminal/exit_code.h"
@@ -21,49 +22,11 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <poll.h>
-#include <sys/eventfd.h>
 #include <unistd.h>
 
 namespace proskill::cli {
 
 namespace {
-
-/// Number of requests to end, and a descriptor that wakes the waiting run.
-std::atomic<int> stopRequests = 0;
-int stopDescriptor = -1;
-/// Whether a page of the run is closed, too.
-std::atomic<bool> mustLeave = false;
-/// Whether nobody reads the output any more. This is one request, however much is written.
-std::atomic<bool> isUnread = false;
-
-void askToStop(int signal) {
-  if (signal == SIGPIPE && isUnread.exchange(true)) return;
-  if (signal == SIGTERM || signal == SIGHUP) mustLeave = true;
-  ++stopRequests;
-  const std::uint64_t one = 1;
-  std::ignore = ::write(stopDescriptor, &one, sizeof one);
-}
-
-void listenForStops() {
-  stopDescriptor = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
-  struct sigaction action {};
-  action.sa_handler = askToStop;
-  for (const int signal : {SIGINT, SIGTERM, SIGPIPE}) sigaction(signal, &action, nullptr);
-  struct sigaction before {};
-  sigaction(SIGHUP, nullptr, &before);
-  if (before.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr); // by `nohup`
-}
-
-/// Waits for the next request after those that the run has taken.
-void awaitStop(int taken) {
-  pollfd watched{stopDescriptor, POLLIN, 0};
-  while (stopRequests <= taken && !mustLeave) {
-    ::poll(&watched, 1, -1);
-    std::uint64_t times = 0;
-    std::ignore = ::read(stopDescriptor, &times, sizeof times);
-  }
-}
 
 /// Passes on a run to several observers. In real time, output is flushed at once.
 class Observers final : public runtime::Observer {
@@ -198,7 +161,7 @@ private:
     const auto place =
         arguments.platform + (settings.place ? ":" + settings.place->text() : std::string());
     const auto platform =
-        processPlatform(*executable, std::move(settings), [] { return stopRequests > 0; });
+        processPlatform(*executable, std::move(settings), [] { return stopRequests() > 0; });
     if (platform) return runOn(**platform, factor);
     return failUnusable(platform.error(), place);
   }
@@ -295,8 +258,8 @@ private:
     if (monitor) observers.add(monitor->observer());
     runtime::RunOptions options{.seed = arguments.seed,
                                 .until = arguments.until,
-                                .stopRequests = &stopRequests,
-                                .stopDescriptor = stopDescriptor,
+                                .stopRequests = &stopRequests(),
+                                .stopDescriptor = stopDescriptor(),
                                 .pause = isPausable() ? &pause : nullptr};
     if (!options.until && !factor)
       options.until = executable->mission == verify::kNone ? 60 * runtime::kSecond
