@@ -167,15 +167,15 @@ TEST_CASE("run ends in order when it is asked to") {
 TEST_CASE("a run whose output nobody reads any more ends in order") {
   const test::TemporaryDirectory files;
   const auto path = files.path("run.json");
-  const auto chatty = files.write("chatty.proskill",
-                                  "(defskill act :action (act) :interrupt ()) (defskill m :body "
-                                  "((// ((act)) ((while true (^ 0.01))))))");
+  const auto chatty =
+      files.write("chatty.proskill", "(defskill act :action (act) :interrupt ()) (defskill m :body "
+                                     "((// ((act)) ((while true (^ 0.01))))))");
   const auto platform = files.write("platform.json", R"({"actions":{"act":{"duration":[600,600],)"
                                                      R"("stops":[0.02,0.02]}}})");
   const auto done = test::run({"/bin/bash", "-c",
                                PROSKILL_PROGRAM " run --clock real --until 600 --platform " +
                                    platform + " --record " + path + " " + chatty +
-                                   " | head -n 3 >/dev/null; exit ${PIPESTATUS[0]}"});
+                                   " | head -n 30 >/dev/null; exit ${PIPESTATUS[0]}"});
   INFO(done.out << done.err);
   CHECK(done.exitCode == 3);
   const auto recorded = recordedIn(path);
@@ -187,10 +187,10 @@ TEST_CASE("a run whose output nobody reads any more ends in order") {
 TEST_CASE("a run that nohup protects goes on without its terminal") {
   const test::TemporaryDirectory files;
   const auto waits = files.write("waits.proskill", "(defskill m :body ((^ 0.3)))");
-  const auto done = test::run({"/bin/sh", "-c",
-                               "trap '' HUP; exec " PROSKILL_PROGRAM " run --clock real --format json " +
-                                   waits},
-                              {.onOutput = [](int process) { kill(process, SIGHUP); }});
+  const auto done =
+      test::run({"/bin/sh", "-c",
+                 "trap '' HUP; exec " PROSKILL_PROGRAM " run --clock real --format json " + waits},
+                {.onOutput = [](int process) { kill(process, SIGHUP); }});
   INFO(done.out << done.err);
   CHECK(done.exitCode == 0);
 }
@@ -222,8 +222,9 @@ TEST_CASE("conform distinguishes files with the same name, wherever the program 
     std::filesystem::create_directories(files.path(folder + "/b"));
     files.write(folder + "/a/s.proskill", "(defskill one :time_interval [1,2] :action (one))");
     files.write(folder + "/b/s.proskill", "\n(defskill two :time_interval [1,2] :action (two))");
-    return files.write(folder + "/m.proskill", "(include \"a/s.proskill\")(include \"b/s.proskill\")"
-                                               "(defskill m :body ((one) (two)))");
+    return files.write(folder + "/m.proskill",
+                       "(include \"a/s.proskill\")(include \"b/s.proskill\")"
+                       "(defskill m :body ((one) (two)))");
   };
   const auto here = main("here");
   const auto there = main("there");
