@@ -108,7 +108,8 @@ private:
     if (!each->resources.empty())
       return fail(each.at(each->resources.front().range), "a resource with a capacity");
     if (each->unstoppable) fail(each.at(each->name.range), "a skill that must not be stopped");
-    if (each->action && !isNamesake(each.node())) note(each.at(each->action->range), "an action of another form");
+    if (each->action && !isNamesake(each.node()))
+      note(each.at(each->action->range), "an action of another form");
     if (each->timeInterval) note(each.at(each->timeInterval->range), "how long a skill takes");
     line(1, fmt::format("skill {} {{", named(each.name())));
     inputs(each.node());
@@ -138,11 +139,10 @@ private:
   static bool isNamesake(const syntax::Skill& skill) {
     const auto& action = *skill.action;
     return action.command.text == skill.name.text &&
-           std::ranges::equal(action.arguments, skill.inputs,
-                              [](const syntax::Expr& argument, const auto& input) {
-                                return argument.kind == Kind::Parameter &&
-                                       argument.name.text == input.name.text;
-                              });
+           std::ranges::equal(
+               action.arguments, skill.inputs, [](const syntax::Expr& argument, const auto& input) {
+                 return argument.kind == Kind::Parameter && argument.name.text == input.name.text;
+               });
   }
 
   void inputs(const syntax::Skill& skill) {

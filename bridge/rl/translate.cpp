@@ -22,8 +22,8 @@ std::string_view typeOf(std::string type) {
 
 void Translation::add(const Skillset& skillset) {
   if (!skillsets.insert(skillset.name.text).second)
-    errors.push_back({skillset.name.place,
-                      fmt::format("a second skillset is called `{}`", skillset.name.text)});
+    errors.push_back(
+        {skillset.name.place, fmt::format("a second skillset is called `{}`", skillset.name.text)});
   checkNames(skillset.events, "event");
   checkNames(skillset.skills, "skill");
   Scope scope(errors);

@@ -109,6 +109,8 @@ private:
 
 std::expected<std::vector<Token>, Error> tokensOf(std::string_view text,
                                                   const std::filesystem::path& file) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF"; // as editors on Windows write it
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   return Lexer(text, file).run();
 }
 

@@ -89,8 +89,9 @@ void Execution::tellHeldUp(Nanoseconds late) {
   if (is && !std::exchange(isHeldUp, is))
     tell({.kind = RemarkKind::Note,
           .date = date,
-          .text = "this process was suspended: steps are taken later than their dates, and what the "
-                "platform has reported is dated later"});
+          .text =
+              "this process was suspended: steps are taken later than their dates, and what the "
+              "platform has reported is dated later"});
   isHeldUp = is;
 }
 

@@ -103,11 +103,12 @@ TEST_CASE("scripts have their form, and nodes what they cannot do without") {
         "main.xml:4:1: this is not a script: unexpected `:=`\n"
         "main.xml:5:1: this is not a script: it ends too early\n"
         "main.xml:6:1: `SetBlackboard` needs an attribute `value`\n");
-  CHECK(errorsIn(treeOf("<Sequence><A _skipIf=\"x =\" _post=\"\"/>\n<A _onHalted=\"= 3\"/>\n"
-                        "<Precondition if=\"x +\"><A/></Precondition>\n"
-                        "<Precondition if=\"{x}\"><A/></Precondition><Precondition><A/></Precondition>"
-                        "\n<UnsetBlackboard/><WasEntryUpdated/>\n"
-                        "<SkipUnlessUpdated><A/></SkipUnlessUpdated></Sequence>")) ==
+  CHECK(errorsIn(
+            treeOf("<Sequence><A _skipIf=\"x =\" _post=\"\"/>\n<A _onHalted=\"= 3\"/>\n"
+                   "<Precondition if=\"x +\"><A/></Precondition>\n"
+                   "<Precondition if=\"{x}\"><A/></Precondition><Precondition><A/></Precondition>"
+                   "\n<UnsetBlackboard/><WasEntryUpdated/>\n"
+                   "<SkipUnlessUpdated><A/></SkipUnlessUpdated></Sequence>")) ==
         "main.xml:3:11: this is not a script: it ends too early\n"
         "main.xml:4:1: this is not a script: unexpected `=`\n"
         "main.xml:5:1: this is not a script: it ends too early\n"

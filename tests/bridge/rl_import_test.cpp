@@ -91,6 +91,11 @@ TEST_CASE("the other dialect writes durations without a unit and outputs of a pr
             .exact);
 }
 
+TEST_CASE("a byte order mark and the ends of lines of Windows are read") {
+  const auto plain = importedOf(skillset(kResource));
+  CHECK(importedOf("\xEF\xBB\xBFskillset s {\r\n" + kResource + "\r\n}\r\n").text == plain.text);
+}
+
 TEST_CASE("several skillsets become one program, whose names say where they come from") {
   const auto text =
       importedOf("type T skillset a {" + kResource + "event go { effect r -> B } }\n" +
