@@ -21,7 +21,8 @@ constexpr std::string_view kReservedInC =
     "static_assert static_cast struct switch template this thread_local throw true try "
     "typedef typeid typename typeof union unsigned using virtual void volatile wchar_t while "
     "xor xor_eq "
-    "linux unix run report interrupt errno assert Actions Event Skill actions suits log";
+    "linux unix run report interrupt errno assert Actions Event Skill actions suits log "
+    "EOF NULL Robot offsetof stderr stdin stdout";
 
 constexpr std::string_view kLibraryPlatform =
     "{\n  \"kind\": \"library\",\n  \"library\": \"librobot.so\"\n}\n";

@@ -28,6 +28,15 @@ std::string enumeration(const std::string& name, const std::string& about,
   return text;
 }
 
+/// A method that the base class does not have. Python gives names that begin with `__` a meaning of
+/// their own.
+std::string methodFor(const std::string& skill) {
+  const bool isTaken =
+      skill == "report" || skill == "interrupt" || skill == "log" || skill == "platform";
+  if (skill.starts_with("__")) return "skill" + skill;
+  return isTaken ? skill + "_" : skill;
+}
+
 /// Writes the stubs in Python.
 class PythonStubs {
 public:
@@ -36,10 +45,7 @@ public:
       variables.push_back(names.unique(upperCamel(variable.name)));
     for (const auto& action : program.actions) {
       results.push_back(names.unique(upperCamel(action.skill) + "Result"));
-      functions.push_back(methods.unique(action.skill == "report" || action.skill == "interrupt" ||
-                                                 action.skill == "log" || action.skill == "platform"
-                                             ? action.skill + "_"
-                                             : action.skill));
+      functions.push_back(methods.unique(methodFor(action.skill)));
       parameters.push_back(parametersOf(action));
     }
   }

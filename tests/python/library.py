@@ -358,6 +358,20 @@ class Stubs(Library):
         self.assertNotEqual(built.returncode, 0)
         self.assertIn("Seen" if language == "cpp" else "LOOK_SEEN", built.stderr)
 
+    def test_names_that_mean_something_in_c(self):
+        for language in ("c", "cpp"):
+            with self.subTest(language):
+                (self.path / "mission.proskill").write_text("""(defsv stdin :states (EOF NULL linux) :init NULL)
+                    (defskill Robot :input ($stdin stdin $errno int) :action (x $stdin $errno) :success (NULL EOF stderr))
+                    (defskill offsetof :action (x))
+                    (defskill mission :body ((Robot stdin EOF errno 1) (offsetof)))""", encoding="utf-8")
+                self.stubs(language)
+                built = self.make()
+                self.assertEqual(built.returncode, 0, built.stderr)
+                for each in self.path.iterdir():
+                    if each.is_file():
+                        each.unlink()
+
     def test_in_c(self):
         self.check("c", "robot.c", ['proskill_fail(run, "not written yet");\n  return FLY_WAS_STOPPED;',
                                     'proskill_fail(run, "not written yet");\n  return LOOK_WAS_STOPPED;'],

@@ -102,6 +102,14 @@ class Stubs(unittest.TestCase):
         self.assertEqual(lines[-1]["mission"], "success", done.stderr)
         self.assertIn(("pushed_away", "occurs"), [(line.get("actor"), line.get("description")) for line in lines])
 
+    def test_a_skill_may_have_a_name_that_means_something_in_python(self):
+        self.program.write_text("(defskill __init__ :action (x)) (defskill __f :action (x)) (defskill report :action (x))"
+                                "(defskill mission :body ((__init__) (__f) (report)))", encoding="utf-8")
+        self.stubs()
+        lines, done = self.run_it()
+        said = [line.get("description") for line in lines]
+        self.assertEqual(said.count("fault: its action failed: NotImplementedError: "), 3, f"{said}\n{done.stderr}")
+
     def test_what_a_user_wrote_is_kept(self):
         self.stubs()
         self.fill_in()
