@@ -166,6 +166,9 @@ TEST_CASE("what a tree cannot say is an error with its place") {
         at("64", "the status of a call that is not tested right after the call, by itself"));
   CHECK(refused("(if (or (c Yes) (c No)) (a))") == at("67", "two tests of `c` in one instant"));
   CHECK(refused("(a.interrupt)") == at("48", "an interruption of a skill"));
+  CHECK(refused("(if (c No) (^ [1,2]) (success ok)) (a.interrupt)") ==
+        at("62", "a time that is not a number of milliseconds") +
+            at("83", "an interruption of a skill"));
   const std::string refusing = "(defskill a :precondition (p true) :action (a) :success ok)\n";
   CHECK(errorsText(
             emitted(refusing + "(defskill Main :body ((a) (if (= a.status no_status) (a))))")) ==

@@ -5,6 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <tuple>
+
 namespace proskill::bridge::bt {
 namespace {
 
@@ -20,6 +23,14 @@ const Definition<syntax::Skill>* missionOf(Draft& draft, std::string_view skill)
                           skill.empty() ? "there is no mission, or several: name one with `--main`"
                                         : fmt::format("`{}` is not a composite skill", skill)});
   return nullptr;
+}
+
+/// In the order of the text; statements are translated in another one.
+Errors sorted(Errors errors) {
+  std::ranges::stable_sort(errors, {}, [](const Error& error) {
+    return std::tuple(error.place.file, error.place.line, error.place.column);
+  });
+  return errors;
 }
 
 class TreeWriter {
@@ -136,7 +147,7 @@ std::expected<EmittedTree, Errors> emitTree(const analysis::Program& program,
   const auto document = writer.document(*mission);
   if (depthOf(document) > kDeepestXml)
     draft.fail(mission->at((*mission)->name.range), "statements that are nested so deeply");
-  if (!draft.errors.empty()) return std::unexpected(std::move(draft.errors));
+  if (!draft.errors.empty()) return std::unexpected(sorted(std::move(draft.errors)));
   return EmittedTree{{writeXml(document), std::move(draft.notes)}, writer.leaves()};
 }
 
