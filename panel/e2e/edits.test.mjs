@@ -92,6 +92,16 @@ describe('a program that is edited while its trace is open', () => {
     await done;
     await it.locator('.step.current:visible').waitFor();
     assert.equal(await step(), steps.length - 4);
+  });
+
+  test('it is violated from the start: there is no step, and all values are shown', async () => {
+    const done = verified();
+    edit(building, (text) => text.replace(`(defproperty ${name}`, `(defproperty ${name} (always (cabin Doors)))\n(defproperty as_before`));
+    await done;
+    await it.locator('.renewed', { hasText: `step ${steps.length - 4} is gone, there are no steps` }).waitFor();
+    assert.equal(await it.locator('.steps-frame').textContent(), 'There are no steps: it is so from the start.');
+    assert.ok((await it.locator('.values tbody tr', { hasText: /^cabin/ }).count()) > 0);
+    await shot(it, 'lift_from_the_start');
     assert.deepEqual(it.complaints, []);
   });
 });

@@ -21,6 +21,12 @@ export function continuation(former: Trace, index: number, fresh: Trace): Contin
   return found === undefined ? nearest : { index: found, same: true };
 }
 
+/** The message about it. `former`: the index of the former step. */
+export function notice({ index, same }: Continuation, former: number, fresh: Trace): string {
+  if (same) return `verified again: the same step, ${index + 1} now`;
+  return `verified again: step ${former + 1} is gone, ${fresh.steps.length > 0 ? 'this is the nearest' : 'there are no steps'}`;
+}
+
 /** Whether two traces have the same steps, apart from their places. */
 export function tellsTheSame(left: Trace, right: Trace): boolean {
   const story = ({ description, verdict, initial, steps, loop }: Trace): string =>

@@ -2,7 +2,7 @@ import type { Host, Trace, Verdict } from '../api.ts';
 import type { ActorColours } from '../model/colours.ts';
 import { search, select, marksRelevance } from '../model/filter.ts';
 import { positionAt } from '../model/seek.ts';
-import { continuation, tellsTheSame } from '../model/renew.ts';
+import { continuation, notice, tellsTheSame } from '../model/renew.ts';
 import { Values } from '../model/values.ts';
 import { watched, WatchError, watchOf, type Watch } from '../model/watch.ts';
 import { ComparisonBar } from './comparison_bar.ts';
@@ -38,7 +38,7 @@ export class TraceView {
   private readonly empty: HTMLElement;
   private readonly count = h('span', { class: 'count', 'aria-live': 'polite' });
   private readonly field: HTMLInputElement;
-  private readonly nothing = h('p', { class: 'nothing', hidden: true }, 'No step passes the filter.');
+  private readonly nothing = h('p', { class: 'nothing', hidden: true });
   private readonly comparison: ComparisonBar;
   private readonly seek: SeekBar;
   private readonly follow;
@@ -214,8 +214,7 @@ export class TraceView {
     this.lanes.renew(this.trace!);
     this.refresh(found.index);
     this.moveTo(found.index, false);
-    if (isNew && tells) this.head.say(found.same
-      ? `verified again: the same step, ${found.index + 1} now` : `verified again: step ${former.index + 1} is gone, this is the nearest`);
+    if (isNew && tells) this.head.say(notice(found, former.index, trace));
   }
 
   /** The same trace with more steps. `toLast`: its last step becomes the current one, and the source follows; otherwise nothing moves. */
@@ -304,6 +303,7 @@ export class TraceView {
     const trace = this.trace!;
     this.shown = select(trace, this.filter);
     this.nothing.hidden = this.shown.length > 0;
+    this.nothing.textContent = trace.steps.length > 0 ? 'No step passes the filter.' : 'There are no steps: it is so from the start.';
     const list = { trace, steps: this.shown, grouped: this.grouped.on, found: new Set(this.found), ...(this.comparison.compared && { compared: this.comparison.compared }) };
     if (renewed === undefined) this.list.show(list);
     else if (renewed === 'grown') this.list.grow(list);

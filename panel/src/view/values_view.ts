@@ -83,7 +83,8 @@ export class ValuesView {
     const now = values.at(index);
     const before = values.at(index - 1);
     const isFirst = (name: string): boolean => this.pins.has(name) && !watches.has(name);
-    const shown = values.names.filter((name) => !watches.has(name) && (isFirst(name) || !this.hideUnchanged || this.moving.has(name)));
+    const hidesSome = this.hideUnchanged && trace.steps.length > 0;
+    const shown = values.names.filter((name) => !watches.has(name) && (isFirst(name) || !hidesSome || this.moving.has(name)));
     const rows = [...watches, ...shown.filter(isFirst), ...shown.filter((name) => !isFirst(name))];
     this.title.textContent = index < 0 ? 'Values at the start' : `Values after step ${index + 1}`;
     this.body.replaceChildren(...rows.map((name) => this.row(name, before.get(name) ?? '', now.get(name) ?? '', index >= 0, filtered)));
