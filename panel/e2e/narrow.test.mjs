@@ -72,28 +72,31 @@ test('the source is below the trace where three columns would be too narrow', ()
   for (const place of ['.step.current', '.source .marked-line']) assert.ok(await it.locator(place).first().evaluate(inView), place);
 }));
 
-test('a run beside a program shows its last step and the automaton without scrolling', async () => {
-  const files = workspace();
-  const running = await run(join(files.path, 'drone/drone.proskill'), '--clock', 'simulated');
-  const it = await page({ viewport: { width: 520, height: 830 } });
-  await it.goto(running.url);
-  await it.locator('.stage g.node').first().waitFor();
-  await it.locator('.run-bar').getByRole('button', { name: 'Continue', exact: true }).click();
-  await eventually(async () => assert.ok(Number(await it.locator('.step.current .number').textContent()) > 12));
-  await it.locator('.run-bar[data-state="ended"]').waitFor();
-  for (const place of ['.step.current', '.stage']) {
-    const { y, height } = await it.locator(place).first().boundingBox();
-    assert.ok(y > 0 && height > 15 && y + height <= 830, `${place} from ${y} to ${y + height}`);
-    assert.ok(await it.locator(place).first().evaluate((part) => {
-      const box = part.getBoundingClientRect();
-      return part.contains(document.elementFromPoint(box.left + 60, box.bottom - 4));
-    }), `${place} is not hidden by another part`);
-  }
-  await usable(it, { '.trace-view .steps': 150, '.values .scroll': 60, '.lanes .scroll': 90 });
-  await shot(it, 'narrow_run');
-  running.end();
-  files.remove();
-});
+for (const [width, height] of [[380, 800], [520, 830]])
+  test(`a run beside a program shows its last step and the automaton without scrolling at ${width} by ${height}`, async () => {
+    const files = workspace();
+    const running = await run(join(files.path, 'drone/drone.proskill'), '--clock', 'simulated');
+    const it = await page({ viewport: { width, height } });
+    await it.goto(running.url);
+    await it.locator('.stage g.node').first().waitFor();
+    await it.locator('.run-bar').getByRole('button', { name: 'Continue', exact: true }).click();
+    await eventually(async () => assert.ok(Number(await it.locator('.step.current .number').textContent()) > 12));
+    await it.locator('.run-bar[data-state="ended"]').waitFor();
+    const [steps, automaton] = await Promise.all(['.steps', '.automaton-view'].map((place) => it.locator(place).boundingBox()));
+    assert.ok(Math.min(steps.y + steps.height, automaton.y) - steps.y > 170, `steps from ${steps.y}, and the automaton from ${automaton.y}`);
+    for (const place of ['.step.current', '.stage']) {
+      const box = await it.locator(place).first().boundingBox();
+      assert.ok(box.y > 0 && box.height > 15 && box.y + box.height <= height, `${place} from ${box.y} to ${box.y + box.height}`);
+      assert.ok(await it.locator(place).first().evaluate((part) => {
+        const box = part.getBoundingClientRect();
+        return part.contains(document.elementFromPoint(box.left + 60, box.bottom - 4));
+      }), `${place} is not hidden by another part`);
+    }
+    await usable(it, { '.trace-view .steps': 150, '.values .scroll': 60, '.lanes .scroll': 90 });
+    await shot(it, `narrow_run_${width}`);
+    running.end();
+    files.remove();
+  });
 
 /** Its run ends with a forbidden move. */
 const kForbidden = `(defsv energy :min 0 :max 10 :init 1)
