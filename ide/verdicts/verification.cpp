@@ -171,6 +171,14 @@ std::optional<std::size_t> placeOfProgress(const Asked& asked, std::size_t quest
   return std::nullopt;
 }
 
+/// Progress in all questions that are asked, while the engine searches for the answers to some.
+/// \param answered number of questions that earlier searches decided
+verify::Progress inAll(verify::Progress now, std::size_t answered, std::size_t asked) {
+  now.decided = std::min<std::uint64_t>(asked, answered + now.decided);
+  now.questions = asked;
+  return now;
+}
+
 } // namespace
 
 std::string_view toString(Verdict verdict) {
@@ -223,9 +231,15 @@ verifyModel(const codegen::Model& model, const std::vector<std::string>& names,
   auto progress = verify::Truth::Unknown;
   std::vector<std::optional<VerdictRow>> rows(questions.size());
   std::size_t steps = 0; // of all traces
+  std::size_t answered = 0;
+  if (const auto tell = options.progress)
+    options.progress = [&, tell](const verify::Progress& now) {
+      tell(inAll(now, answered, asked.checks.size()));
+    };
   options.decided = [&](std::size_t i, verify::Answer answer) {
     if (progressAt == i) progress = answer.truth;
     if (i >= asked.checks.size()) return;
+    if (!rows[i]) ++answered;
     rows[i] = row(*asked.checks[i], std::move(answer), model);
     if (rows[i]->trace) steps += rows[i]->trace->steps.size();
     if (progressAt) sayTimePasses(model, progress, *rows[i]);
