@@ -129,13 +129,17 @@ void Completer::words(WordKind kind) {
   ++rank;
 }
 
+/// Without a list, a snippet that begins with a line break is not offered: to an editor, Enter
+/// after the whole word would choose it.
 void Completer::form(const Word& word, bool isList) {
   Completer::word(word);
   Completion& item = items.back();
-  item.snippet = fmt::format("{}{}", word.text, word.snippet);
-  if (!isList || place.isHead) return;
-  item.insert = fmt::format("({})", word.text);
-  item.snippet = fmt::format("({})", item.snippet);
+  if (isList && !place.isHead) {
+    item.insert = fmt::format("({})", word.text);
+    item.snippet = fmt::format("({}{})", word.text, word.snippet);
+  } else if (!word.snippet.empty() && !word.snippet.starts_with('\n')) {
+    item.snippet = fmt::format("{}{}", word.text, word.snippet);
+  }
 }
 
 void Completer::forms(WordKind kind, bool areLists) {

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <map>
 
 using namespace proskill;
 using test::MarkedProgram;
@@ -239,6 +240,20 @@ TEST_CASE("the call of a case, its outcomes and their tags") {
   CHECK(contains(labelsIn(body + "(case (go) (success ^"), "while"));
   CHECK(contains(labelsIn(body + "(case (go) ((success near) ^"), "while"));
   CHECK(itemIn(body + "(case (go) ^", "success").snippet == "(success $0)");
+}
+
+TEST_CASE("Enter after a whole word inserts nothing") {
+  const std::string skill = "(defskill f ";
+  for (const auto& [text, word] :
+       std::map<std::string, std::string>{{":bod^", ":body"},
+                                          {":body ((if (a) (go) els^", "else"},
+                                          {":body ((d^", "do"},
+                                          {":monitor t :inter^", ":interrupt"}}) {
+    const auto item = itemIn(skill + text, word);
+    CHECK(item.insert == word);
+    CHECK_FALSE(item.snippet.starts_with(word + "\n"));
+  }
+  CHECK(itemIn(skill + ":body (d^", "do").snippet == "(do\n  $0\nuntil ($1))");
 }
 
 TEST_CASE("a call brings its named arguments") {
