@@ -2,7 +2,7 @@ import * as vscode from 'vscode';
 import type { Client } from './client';
 import { Edits } from './writing/edits';
 import { PanelHost, savedPanel } from './panel_host';
-import { currentText } from './places';
+import { currentText } from './writing/current_text';
 import type { Programs } from './programs';
 import * as protocol from './protocol';
 import type { panel } from './protocol';

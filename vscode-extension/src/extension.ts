@@ -2,12 +2,13 @@ import * as vscode from 'vscode';
 import { subjectOf } from './arguments';
 import { AutomatonPreview } from './automaton';
 import { Client } from './client';
+import { currentText, followTexts } from './writing/current_text';
 import { Debugging } from './trace/debug';
 import { DiskChanges } from './disk_changes';
 import { Explanations } from './explain';
 import { Imports } from './bridge/import';
 import { FiacreView } from './model';
-import { currentText, isVerified } from './places';
+import { isVerified, showText } from './places';
 import { Programs } from './programs';
 import { Missions } from './run/run_mission';
 import * as protocol from './protocol';
@@ -40,7 +41,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   const missions = new Missions(server, context);
   const imports = new Imports(server);
   context.subscriptions.push(
-    server, programs, typing, disk, explanations, new Status(server, programs), new Testing(server, programs, typing, disk, context.workspaceState), fiacre, automaton, trace, simulations, debugging, missions, imports);
+    server, programs, typing, disk, followTexts(), explanations, new Status(server, programs), new Testing(server, programs, typing, disk, context.workspaceState), fiacre, automaton, trace, simulations, debugging, missions, imports);
 
   /** An error of a command is shown as a message, never as a stack trace. */
   const command = (name: string, action: (...args: unknown[]) => unknown): void => {
@@ -127,7 +128,7 @@ async function openTraceFile(trace: TraceView, simulations: Simulations, file?: 
 
 async function newProgram(): Promise<void> {
   const document = await vscode.workspace.openTextDocument({ language: 'proskill', content: '' });
-  await vscode.window.showTextDocument(document);
+  await showText(document);
 }
 
 async function statusMenu(server: Client): Promise<void> {

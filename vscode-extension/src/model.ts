@@ -1,6 +1,7 @@
 import * as vscode from 'vscode';
 import type { Client } from './client';
-import { currentText } from './places';
+import { currentText } from './writing/current_text';
+import { besideText } from './places';
 import * as protocol from './protocol';
 import type { panel } from './protocol';
 
@@ -40,7 +41,7 @@ export class FiacreView implements vscode.TextDocumentContentProvider, vscode.De
     const model = vscode.Uri.from({ scheme: kScheme, path: `/${name}.fcr`, query: program.toString() });
     const document = await vscode.workspace.openTextDocument(model);
     const editor = await vscode.window.showTextDocument(
-      document, { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true, preview: true });
+      document, { viewColumn: besideText(program), preserveFocus: true, preview: true });
     this.draw(true);
     const made = line === undefined ? undefined : this.madeFrom(model, program, line);
     if (made && this.origins.length === 0)

@@ -4,7 +4,7 @@ import { changesSince } from '../../panel/src/model/verdict_changes';
 import type { Client } from './client';
 import { Latest } from './latest';
 import { page } from './page';
-import { bringIntoView, goTo, renamed } from './places';
+import { besideText, bringIntoView, goTo, renamed } from './places';
 import type { Programs } from './programs';
 import * as protocol from './protocol';
 import { save } from './save';
@@ -62,7 +62,7 @@ export class PanelHost implements vscode.Disposable {
     const extension = context.extensionUri;
     this.view = restored ?? vscode.window.createWebviewPanel(
       `proskill.${layout}`, kTitles[layout],
-      { viewColumn: vscode.ViewColumn.Beside, preserveFocus: layout === 'automaton' }, { retainContextWhenHidden: true });
+      { viewColumn: besideText(uri), preserveFocus: layout === 'automaton' }, { retainContextWhenHidden: true });
     this.view.webview.options = { enableScripts: true, localResourceRoots: [] };
     this.view.iconPath = vscode.Uri.joinPath(extension, 'media', 'icon.svg');
     this.view.webview.onDidReceiveMessage((message: panel.Message) => void this.receive(message), null, this.subscriptions);

@@ -18,6 +18,21 @@ function columnOf(uri: vscode.Uri): vscode.ViewColumn {
   return text?.viewColumn ?? vscode.ViewColumn.One;
 }
 
+/** Where a panel opens: beside what has the keyboard, or beside the text if that is something else. */
+export function besideText(uri: vscode.Uri): vscode.ViewColumn {
+  if (vscode.window.activeTextEditor?.viewColumn) return vscode.ViewColumn.Beside;
+  const texts = vscode.window.visibleTextEditors.filter(({ viewColumn }) => viewColumn);
+  const shown = texts.find(({ document }) => document.uri.toString() === uri.toString()) ?? texts.find(({ document }) => document.languageId === 'proskill');
+  return shown?.viewColumn ? shown.viewColumn + 1 : vscode.ViewColumn.Beside;
+}
+
+/** Shows a text that is not visible, and does not cover what is not a text, such as a walkthrough or a panel. */
+export async function showText(document: vscode.TextDocument): Promise<void> {
+  const covered = vscode.window.tabGroups.activeTabGroup.activeTab;
+  const viewColumn = covered && !(covered.input instanceof vscode.TabInputText) ? vscode.ViewColumn.Beside : vscode.ViewColumn.Active;
+  await vscode.window.showTextDocument(document, { viewColumn });
+}
+
 /**
  * Moves the caret to a place for the user, and with `focus` the keyboard focus. Scrolls only if it is not visible.
  * `asking`: the group of the panel in which the user chose the place; no text covers it
@@ -52,14 +67,4 @@ export function renamed(uri: vscode.Uri, files: readonly { oldUri: vscode.Uri; n
   const name = uri.toString();
   const found = files.find(({ oldUri }) => name === oldUri.toString() || name.startsWith(`${oldUri.toString()}/`));
   return found ? vscode.Uri.parse(found.newUri.toString() + name.slice(found.oldUri.toString().length)) : uri;
-}
-
-/** The text that a command without arguments refers to. */
-export function currentText(): vscode.TextDocument {
-  const active = vscode.window.activeTextEditor?.document;
-  const found = active && isVerified(active)
-    ? active
-    : vscode.window.visibleTextEditors.map((editor) => editor.document).find((it) => it.languageId === 'proskill');
-  if (!found) throw new Error('Open a ProSkill program first.');
-  return found;
 }

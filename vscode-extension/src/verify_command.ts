@@ -1,7 +1,7 @@
 import * as vscode from 'vscode';
 import type { Subject } from './arguments';
 import type { Client } from './client';
-import { currentText } from './places';
+import { currentText } from './writing/current_text';
 import { count, inWords } from './findings';
 import * as protocol from './protocol';
 

@@ -18,7 +18,7 @@ const kFirst = programOn('write');
 const kFix = '(set (door Shut)) ';
 const kFixBefore = '(drive)';
 
-const kTyped = ['(defskill wait_a_moment', ':success done', ':body', '(^ [1,2])', '(success done)))'];
+const kTyped = ['(defskill wait_a_moment', ':success done', ':body', '((^ [1,2])', '(success done)))'];
 const kFormatted = '(defskill wait_a_moment :success done :body ((^ [1,2]) (success done)))';
 /** A hint at the end of the first line. */
 const kDuration = ' 1 to 2 s';
@@ -74,8 +74,8 @@ export const scenarios = {
     await byKeys(editor, 'ProSkill: New Program');
     await page.locator('.tab.active').filter({ hasText: 'Untitled' }).waitFor();
     for (const line of kFirst) {
-      await page.keyboard.type(line, { delay: kDelay });
-      await editor.press('Escape', 'Control+End', 'Enter');
+      await page.keyboard.type(line.trim(), { delay: kDelay });
+      await editor.press('Enter');
     }
     await editor.statusSays(/\d+ bad/, 90_000);
     const found = Date.now();
@@ -93,8 +93,8 @@ export const scenarios = {
     await editor.press('Enter'); // the keyboard goes to the text of the step
     await expect('the caret at the step', async () => (await editor.caret()).startsWith('Ln 2,') && page.evaluate(() => !!document.activeElement?.closest('.monaco-editor[data-uri^="untitled:"]')));
     // the door is closed before the robot drives
-    const mission = kFirst.find((it) => it.startsWith('(defskill mission'));
-    equal('the fix', mission.replace(kFixBefore, kFix + kFixBefore), words(programOn('fix').join('\n')).replace(/\( /g, '('));
+    const mission = kFirst.slice(kFirst.indexOf('(defskill mission'), kFirst.indexOf('(defproperty drives_shut'));
+    equal('the fix', words(mission.join('\n')).replace(kFixBefore, kFix + kFixBefore), words(programOn('fix').join('\n')));
     await editor.press('Control+End', 'Control+f');
     const find = page.locator('.find-widget.visible textarea[aria-label="Find"]');
     await find.fill(kFixBefore);
@@ -112,7 +112,7 @@ export const scenarios = {
 
   /**
    * A definition typed over several lines, at a person's speed: the editor closes each parenthesis, the server indents each line and formats the whole at
-   * its end, typing what the editor has closed adds nothing, and Enter after the name of an outcome takes no snippet. After `:body` it takes the parentheses of the body.
+   * its end, typing what the editor has closed adds nothing, and Enter after the name of an outcome or after `:body` takes no snippet.
    */
   async typed_lines({ editor, page }) {
     await editor.closeAll();

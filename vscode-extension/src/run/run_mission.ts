@@ -2,7 +2,7 @@ import { mkdirSync, readdirSync, rmSync } from 'node:fs';
 import { basename, dirname, join, resolve } from 'node:path';
 import * as vscode from 'vscode';
 import type { Client } from '../client';
-import { currentText } from '../places';
+import { currentText } from '../writing/current_text';
 import { RunPanel } from './run_panel';
 import { RunProcess } from './run_process';
 import type { panel } from '../protocol';
@@ -33,7 +33,7 @@ export class Missions implements vscode.Disposable {
     const recording = this.recordingOf(program);
     const label = basename(program.fsPath);
     const process = await RunProcess.start(server, [...optionsFor(program), '--record', recording, program.fsPath], cwd);
-    const panel = new RunPanel(process, cwd, this.context.extensionUri, label, (status) => void tell(label, status, recording));
+    const panel = new RunPanel(process, cwd, program, this.context.extensionUri, label, (status) => void tell(label, status, recording));
     panel.onClose(() => {
       if (this.current === panel) this.current = undefined;
     });

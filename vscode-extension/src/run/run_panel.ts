@@ -3,7 +3,7 @@ import { resolve } from 'node:path';
 import * as vscode from 'vscode';
 import { Latest } from '../latest';
 import { page } from '../page';
-import { bringIntoView, goTo } from '../places';
+import { besideText, bringIntoView, goTo } from '../places';
 import { save } from '../save';
 import type { panel } from '../protocol';
 import { RunMarks } from './run_marks';
@@ -21,11 +21,12 @@ export class RunPanel implements vscode.Disposable {
   constructor(
     private readonly run: RunProcess,
     private readonly cwd: string,
+    program: vscode.Uri,
     extension: vscode.Uri,
     label: string,
     private readonly ended: (status: panel.RunStatus) => void,
   ) {
-    this.view = vscode.window.createWebviewPanel('proskill.run', `Run ${label}`, { viewColumn: vscode.ViewColumn.Beside, preserveFocus: true },
+    this.view = vscode.window.createWebviewPanel('proskill.run', `Run ${label}`, { viewColumn: besideText(program), preserveFocus: true },
       { enableScripts: true, retainContextWhenHidden: true, localResourceRoots: [] });
     this.view.iconPath = vscode.Uri.joinPath(extension, 'media', 'icon.svg');
     this.view.webview.onDidReceiveMessage((message: panel.Message) => void this.receive(message), null, this.subscriptions);

@@ -1,7 +1,7 @@
 import * as vscode from 'vscode';
 import { chooseTrace } from './choose_trace';
 import type { Client } from '../client';
-import { currentText } from '../places';
+import { currentText } from '../writing/current_text';
 import type { Programs } from '../programs';
 
 /** A configuration of `launch.json`; see docs/vscode.md. */

@@ -3,7 +3,8 @@ import { chooseTrace } from './choose_trace';
 import type { Client } from '../client';
 import type { FiacreView } from '../model';
 import { PanelHost, savedPanel, type SavedPanel } from '../panel_host';
-import { currentText } from '../places';
+import { currentText } from '../writing/current_text';
+import { showText } from '../places';
 import type { Programs } from '../programs';
 import type { panel } from '../protocol';
 import { StepMarks } from './step_marks';
@@ -52,7 +53,7 @@ export class TraceView implements vscode.Disposable {
     }
     this.host?.dispose();
     // The view opens beside the program. If no text is visible, the first one would cover it.
-    if (!vscode.window.visibleTextEditors.some(({ viewColumn }) => viewColumn)) await vscode.window.showTextDocument(uri);
+    if (!vscode.window.visibleTextEditors.some(({ viewColumn }) => viewColumn)) await showText(await vscode.workspace.openTextDocument(uri));
     const host = new PanelHost(this.client, this.programs, this.typing, this.context, 'trace', uri, show);
     host.comesFrom(file);
     this.take(host);

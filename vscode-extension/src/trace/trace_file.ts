@@ -2,7 +2,7 @@ import { existsSync } from 'node:fs';
 import { dirname, resolve } from 'node:path';
 import * as vscode from 'vscode';
 import { open } from '../../../panel/src/model/parse';
-import { currentText } from '../places';
+import { currentText } from '../writing/current_text';
 import type { Client } from '../client';
 import * as protocol from '../protocol';
 import type { panel } from '../protocol';
