@@ -25,6 +25,9 @@ export interface SavedPanel {
 }
 export const savedPanel = (memory: vscode.Memento, layout: Layout): SavedPanel | undefined => memory.get(`panel.${layout}`);
 
+/** Milliseconds within which VS Code reports which panel has the keyboard. */
+const kLate = 300;
+
 const kTitles: Record<Layout, string> = { trace: 'ProSkill trace', automaton: 'ProSkill automaton', simulation: 'ProSkill simulation' };
 
 /** The host of one panel: answers its requests (panel/src/api.ts) and sends notifications. */
@@ -39,6 +42,8 @@ export class PanelHost implements vscode.Disposable {
   readonly onPicture = this.drawn.event;
   private readonly following = new Latest();
   private listening = false;
+  /** a command has asked for what is shown next */
+  private isAsked = true;
   /** that the page has */
   private toldVerdicts: panel.Verdict[] | undefined;
   private pictures: panel.PictureName[] = [];
@@ -86,6 +91,7 @@ export class PanelHost implements vscode.Disposable {
   /** Shows something else; before the panel is ready, it becomes what is shown first. */
   showIt(show: panel.Show, file?: vscode.Uri): void {
     if (file || show.trace) this.comesFrom(file);
+    this.isAsked = true;
     this.show = show;
     this.tell('show', show);
   }
@@ -144,11 +150,24 @@ export class PanelHost implements vscode.Disposable {
     }
   }
 
-  /** The editor follows a trace's steps by scrolling only, and not while the user types in it. */
+  /** The editor follows a trace's steps by scrolling only, and not while the user types in it or has turned to it. */
   private async follow({ location, focus }: panel.Told['reveal']): Promise<void> {
     const { viewColumn } = this.view;
     if (focus || this.layout === 'automaton') await goTo(location, focus, viewColumn);
-    else if (!this.typing.goesOn) await bringIntoView(location, viewColumn);
+    else if ((await this.isFollowed()) && !this.typing.goesOn) await bringIntoView(location, viewColumn);
+  }
+
+  /** A step may arrive late, when the user is in a text again: that text stays as it is. A click in the panel may arrive before the news that the panel has the keyboard. */
+  private async isFollowed(): Promise<boolean> {
+    if (this.view.active || this.isAsked) {
+      this.isAsked = false;
+      return true;
+    }
+    await new Promise<void>((resolve) => {
+      const news = this.view.onDidChangeViewState(() => resolve());
+      setTimeout(() => (news.dispose(), resolve()), kLate);
+    });
+    return this.view.active;
   }
 
   private answer(method: panel.Method, params: never): Promise<unknown> | unknown {

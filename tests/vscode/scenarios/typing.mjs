@@ -38,6 +38,27 @@ export const scenarios = {
     equal('the text', readFileSync(join(root, kFile), 'utf8').split('\n')[1], kComment);
   },
 
+  /** A step that arrives when the user is in a text again does not put another text in front of it. From the editor, steps are followed. */
+  async late_step({ editor, page }) {
+    const frame = await editor.panel('.trace-view');
+    await editor.openFile('lift/lift.proskill');
+    await editor.openFile(kFile);
+    await editor.goTo(3);
+    await new Promise((resolve) => setTimeout(resolve, 2200)); // while the user types nothing is followed anyway
+    await frame.locator('.steps').dispatchEvent('keydown', { key: 'ArrowUp' }); // which gives the panel no focus
+    await frame.locator('#step-0.current').waitFor();
+    await new Promise((resolve) => setTimeout(resolve, 1000)); // a text that opened would do so by then
+    equal('the tab', await editor.tab('bug.proskill').count() > 0, true);
+    await editor.type(' ');
+    await editor.press('Backspace');
+    await expect('the caret where it was', async () => (await editor.caret()) === 'Ln 3, Col 1', 5000);
+    await new Promise((resolve) => setTimeout(resolve, 2200));
+    await editor.press('Alt+Shift+ArrowDown');
+    await frame.locator('#step-1.current').waitFor();
+    await expect('the mark of the step in its text', async () => (await editor.markedLines('lift/building.proskill')).length > 0);
+    await editor.openFile(kFile);
+  },
+
   /** The bug is fixed in the text: the panel shows the verdict, and no step is marked any more. After undo, the step is marked again. */
   async repaired({ editor, page, root }) {
     const frame = await editor.panel('.trace-view');
