@@ -1,4 +1,4 @@
-import { readFileSync } from 'node:fs';
+import { readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { equal, expect } from '../expect.mjs';
 
@@ -94,6 +94,34 @@ export const scenarios = {
     await editor.press('Control+1', 'Control+z');
     await editor.squiggles().first().waitFor({ state: 'detached' });
     await editor.closeAll();
+  },
+
+  /** Half of an emoji comes from a snippet: the server asks for the whole text, and has it again with the next edit. */
+  async half_a_character({ editor, page, root }) {
+    const file = 'lift/half.proskill';
+    const text = '; x\n(defsv lamp :states (On Off) :init Off)\n(defskill m :body ((set (lamp On))))\n(defproperty dark (always (lamp Off)))\n';
+    writeFileSync(join(root, file), text);
+    writeFileSync(join(root, '.vscode/halves.code-snippets'), JSON.stringify({ half: { prefix: 'half', body: '\ud83d' } }));
+    await editor.closeAll();
+    await editor.openFile(file);
+    await editor.statusSays(/1 bad/, 60_000);
+    await editor.goTo(1, 3);
+    await editor.command('Snippets: Insert Snippet');
+    await editor.answer('half');
+    await editor.squigglesHere().first().waitFor();
+    await editor.type('a');
+    await editor.squigglesHere().first().waitFor({ state: 'detached' });
+    await editor.goTo(2, 32);
+    await editor.type('x');
+    await editor.squigglesHere().first().waitFor(); // at the place where it is
+    await editor.press('Backspace');
+    await editor.squigglesHere().first().waitFor({ state: 'detached' });
+    await editor.statusSays(/1 bad(?!.*outdated)/);
+    equal('messages other than about the half', await page.locator('.notification-toast').filter({ hasNotText: 'half a character' }).count(), 0);
+    await editor.command('Notifications: Clear All Notifications');
+    await editor.command('File: Revert File');
+    await editor.closeAll();
+    for (const name of [file, '.vscode/halves.code-snippets']) rmSync(join(root, name));
   },
 
   /** `energy` is defined in one file of the rover and used in others. */
