@@ -4,6 +4,7 @@
 #include "verify/graph/state_graph.h"
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 using namespace proskill;
 using namespace proskill::test;
@@ -134,6 +135,21 @@ TEST_CASE("Priorities that go round are refused, through components as well") {
                          "component main is port p, q: sync priority p > q "
                          "par * in inner[p, q] end");
   CHECK_THAT(model.refusal(), Catch::Contains("has priority over itself"));
+}
+
+TEST_CASE("Five operators that expect each other are not too large a formula") {
+  const auto holds = [](int value) { return fmt::format("(main/1/value (x = {}))", value); };
+  const auto weak = [](const std::string& a, const std::string& b) {
+    return fmt::format("((({0}) U ({1})) or ([] ({0})))", a, b);
+  };
+  const auto strong = [](const std::string& a, const std::string& b) {
+    return fmt::format("(({1}) U (({0}) and ({1})))", a, b);
+  };
+  const auto formula =
+      strong(strong(holds(0), weak(holds(1), holds(2))), weak(weak(holds(3), holds(1)), holds(1)));
+  const Text model("process P is states a var x: 0..3 := 1 from a x := 3; to a "
+                   "component main is par * in P end");
+  CHECK(model.isFalse("ltl " + formula));
 }
 
 TEST_CASE("A formula of LTL that is too large leaves its own question open, and no other") {

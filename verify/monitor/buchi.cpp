@@ -72,11 +72,12 @@ public:
   [[nodiscard]] bool isFalse(FormulaId id) const {
     return all[id].op == FormulaOp::Literal && nodes.constant(all[id].a) == 0;
   }
-  /// The conjunction of all literals in a set.
-  NodeId label(const std::set<FormulaId>& set) {
+  /// The literal of the negated condition. \pre it is a literal
+  FormulaId opposite(FormulaId id) { return literal(nodes.negation(all[id].a)); }
+  /// The conjunction of literals.
+  NodeId label(const std::set<FormulaId>& literals) {
     NodeId every = nodes.number(1);
-    for (auto id : set)
-      if (all[id].op == FormulaOp::Literal) every = nodes.both(every, all[id].a);
+    for (auto id : literals) every = nodes.both(every, all[id].a);
     return every;
   }
 
@@ -98,28 +99,36 @@ struct Draft {
   std::set<FormulaId> todo;
   std::set<FormulaId> old;
   std::set<FormulaId> next;
+
+  /// Whether it is an obligation for the current position anyway.
+  [[nodiscard]] bool holds(FormulaId id) const { return todo.contains(id) || old.contains(id); }
 };
 
+/// States that agree in all of this accept the same runs.
 struct State {
-  std::set<FormulaId> old;
+  std::set<FormulaId> literals;
+  std::set<FormulaId> promised; ///< each `until` that is not fulfilled here
   std::set<FormulaId> next;
-  std::vector<std::uint32_t> successors;
+  friend auto operator<=>(const State&, const State&) = default;
 };
 
+/// Gerth, Peled, Vardi, Wolper, "Simple on-the-fly automatic verification of linear temporal
+/// logic", PSTV 1995, without obligations that others imply: Daniele, Giunchiglia, Vardi, "Improved
+/// automata generation for linear temporal logic", CAV 1999.
 class Tableau {
 public:
   Tableau(Formulas& of, FormulaId start) : formulas(of) {
     first = covers({start});
     for (std::uint32_t i = 0; i < states.size(); ++i) {
       const auto next = states[i].next;
-      auto successors = covers(next);
-      edges += successors.size();
+      successors.push_back(covers(next));
+      edges += successors.back().size();
       if (edges > kMostEdges) tooLarge();
-      states[i].successors = std::move(successors);
     }
   }
 
   std::vector<State> states;
+  std::vector<std::vector<std::uint32_t>> successors; ///< by state
   std::vector<std::uint32_t> first;
   std::size_t edges = 0;
 
@@ -148,13 +157,16 @@ private:
       if (!draft.old.insert(id).second) continue;
       const Formula formula = formulas.at(id);
       switch (formula.op) {
-      case FormulaOp::Literal: break;
+      case FormulaOp::Literal:
+        if (draft.old.contains(formulas.opposite(id))) return;
+        break;
       case FormulaOp::Next: draft.next.insert(formula.a); break;
       case FormulaOp::And:
         draft.todo.insert(formula.a);
         draft.todo.insert(formula.b);
         break;
       case FormulaOp::Or: {
+        if (draft.holds(formula.a) || draft.holds(formula.b)) break;
         Draft other = draft;
         other.todo.insert(formula.a);
         expand(std::move(other), found);
@@ -162,6 +174,7 @@ private:
         break;
       }
       case FormulaOp::Until: { // b, or a and next the same
+        if (draft.holds(formula.b)) break;
         Draft other = draft;
         other.todo.insert(formula.a);
         other.next.insert(id);
@@ -170,27 +183,37 @@ private:
         break;
       }
       case FormulaOp::Release: { // b, and a or next the same
+        draft.todo.insert(formula.b);
+        if (draft.holds(formula.a)) break;
         Draft other = draft;
-        other.todo.insert(formula.b);
         other.next.insert(id);
         expand(std::move(other), found);
         draft.todo.insert(formula.a);
-        draft.todo.insert(formula.b);
         break;
       }
       }
     }
-    auto [entry, added] =
-        known.try_emplace({draft.old, draft.next}, static_cast<std::uint32_t>(states.size()));
-    if (added) states.push_back({std::move(draft.old), std::move(draft.next), {}});
+    found.insert(stateOf(draft));
+  }
+
+  std::uint32_t stateOf(const Draft& draft) {
+    State state{.literals = {}, .promised = {}, .next = draft.next};
+    for (auto id : draft.old) {
+      const auto& formula = formulas.at(id);
+      if (formula.op == FormulaOp::Literal) state.literals.insert(id);
+      if (formula.op == FormulaOp::Until && !draft.old.contains(formula.b))
+        state.promised.insert(id);
+    }
+    auto [entry, added] = known.try_emplace(state, static_cast<std::uint32_t>(states.size()));
+    if (added) states.push_back(std::move(state));
     if (states.size() > kMostStates) tooLarge();
-    found.insert(entry->second);
+    return entry->second;
   }
 
   Formulas& formulas;
   std::size_t drafts = 0;
   std::map<std::set<FormulaId>, std::vector<std::uint32_t>> coversOf;
-  std::map<std::pair<std::set<FormulaId>, std::set<FormulaId>>, std::uint32_t> known;
+  std::map<State, std::uint32_t> known;
 };
 
 } // namespace
@@ -206,21 +229,21 @@ Monitor negated(const Ltl& ltl, Nodes& nodes,
   const auto turns = static_cast<std::uint32_t>(std::max<std::size_t>(promises.size(), 1));
   if (tableau.edges * turns > Tableau::kMostEdges) Tableau::tooLarge();
   const auto keeps = [&](const State& state, std::uint32_t turn) {
-    return promises.empty() || !state.old.contains(promises[turn]) ||
-           state.old.contains(formulas.at(promises[turn]).b);
+    return promises.empty() || !state.promised.contains(promises[turn]);
   };
   Monitor made;
   made.ofPoints = false;
   for (FormulaId id = 0; id < formulas.size(); ++id)
     made.ofStates = made.ofStates && formulas.at(id).op != FormulaOp::Next;
-  for (const auto& state : tableau.states) {
-    const NodeId label = formulas.label(state.old);
+  for (std::size_t i = 0; i < tableau.states.size(); ++i) {
+    const State& state = tableau.states[i];
+    const NodeId label = formulas.label(state.literals);
     for (std::uint32_t turn = 0; turn < turns; ++turn) {
       const bool kept = keeps(state, turn);
       auto& location = made.locations.emplace_back();
       location.stay = nodes.number(1);
       location.accepting = turn == 0 && kept;
-      for (auto next : state.successors)
+      for (auto next : tableau.successors[i])
         location.edges.push_back({.ofStep = true,
                                   .to = next * turns + (kept ? (turn + 1) % turns : turn),
                                   .condition = label});
