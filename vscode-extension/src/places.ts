@@ -26,10 +26,12 @@ export function besideText(uri: vscode.Uri): vscode.ViewColumn {
   return shown?.viewColumn ? shown.viewColumn + 1 : vscode.ViewColumn.Beside;
 }
 
+const isOfTexts = ({ input }: vscode.Tab): boolean => input instanceof vscode.TabInputText || input instanceof vscode.TabInputNotebook;
+
 /** Shows a text that is not visible, and does not cover what is not a text, such as a walkthrough or a panel. */
 export async function showText(document: vscode.TextDocument): Promise<void> {
   const covered = vscode.window.tabGroups.activeTabGroup.activeTab;
-  const viewColumn = covered && !(covered.input instanceof vscode.TabInputText) ? vscode.ViewColumn.Beside : vscode.ViewColumn.Active;
+  const viewColumn = !covered || isOfTexts(covered) ? vscode.ViewColumn.Active : vscode.ViewColumn.Beside;
   await vscode.window.showTextDocument(document, { viewColumn });
 }
 

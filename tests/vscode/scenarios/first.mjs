@@ -183,7 +183,7 @@ export const scenarios = {
       const shown = document.querySelector('.monaco-editor[data-uri$="ids/shifted.proskill"]');
       const lineOf = new Map([...shown.querySelectorAll('.margin-view-overlays > div')]
         .map((row) => [parseFloat(row.style.top), Number(row.querySelector('.line-numbers')?.textContent)]));
-      return [...shown.querySelectorAll('.glyph-margin-widgets > [class*="testing"]')].map((mark) => lineOf.get(parseFloat(mark.style.top))).filter(Boolean).sort();
+      return [...shown.querySelectorAll('.glyph-margin-widgets > [class*="testing"]')].map((mark) => lineOf.get(parseFloat(mark.style.top))).filter(Boolean).sort((a, b) => a - b);
     });
     const before = await expect('results in the margin', async () => {
       const found = await lines();
