@@ -52,12 +52,12 @@ TEST_CASE("the lines of a snippet are indented by the server") {
                           ["insertTextModeSupport"] = {{"valueSet", {1, 2}}};
     Session session(options);
     session.initialize();
-    session.open(kMain, "(defskill m\n  :bo)\n");
-    const auto answer = session.at("textDocument/completion", kMain, 1, 5);
-    const auto item = itemOf(answer, ":body");
-    CHECK(item["textEdit"]["newText"] == ":body\n    ($0)");
+    session.open(kMain, "(defsk)\n");
+    const auto answer = session.at("textDocument/completion", kMain, 0, 6);
+    const auto item = itemOf(answer, "defskill");
+    CHECK(item["textEdit"]["newText"] == "defskill ${1:name}\n  $0");
     CHECK(item.value("insertTextMode", 0) == (supported ? 1 : 0));
-    CHECK_FALSE(itemOf(answer, ":success").contains("insertTextMode"));
+    CHECK_FALSE(itemOf(answer, "include").contains("insertTextMode"));
   }
 }
 
