@@ -8,6 +8,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
+
 namespace proskill::lsp {
 
 namespace {
@@ -41,6 +44,7 @@ struct Shared {
   std::string insert; ///< ranges, as JSON
   std::string replace;
   std::string uri;
+  std::size_t column = 0; ///< where what is inserted begins in its line, in characters
   const ClientFeatures& client;
 };
 
@@ -48,9 +52,27 @@ bool isSnippet(const ide::Completion& item, const Shared& shared) {
   return shared.client.snippets && !item.snippet.empty();
 }
 
+/// Whether its lines keep the indentation that they have here.
+bool isAsIs(const ide::Completion& item, const Shared& shared) {
+  return shared.client.insertTextModes && isSnippet(item, shared) && item.snippet.contains('\n');
+}
+
+/// The snippet, whose lines are indented from the `(` of its form.
+std::string snippetOf(const ide::Completion& item, const Shared& shared) {
+  if (!isAsIs(item, shared)) return item.snippet;
+  const std::size_t before = item.snippet.starts_with('(') ? 0 : 1;
+  const std::string indent(shared.column - std::min(shared.column, before), ' ');
+  std::string text;
+  for (const char c : item.snippet) {
+    text += c;
+    if (c == '\n') text += indent;
+  }
+  return text;
+}
+
 void writeEdit(rpc::JsonWriter& json, const ide::Completion& item, const Shared& shared) {
   json.key("textEdit").open('{');
-  json.member("newText", isSnippet(item, shared) ? item.snippet : item.insert);
+  json.member("newText", isSnippet(item, shared) ? snippetOf(item, shared) : item.insert);
   if (shared.client.insertReplace)
     json.key("insert").written(shared.insert).key("replace").written(shared.replace);
   else
@@ -73,8 +95,7 @@ Json itemJson(const ide::Completion& item, std::size_t place, const Shared& shar
   if (!item.detail.empty()) json.member("detail", item.detail);
   if (isSnippet(item, shared)) json.member("insertTextFormat", protocol::InsertTextFormat::Snippet);
   // the indentation is that of the formatter, whatever the line's
-  if (shared.client.insertTextModes && isSnippet(item, shared) && item.snippet.contains('\n'))
-    json.member("insertTextMode", protocol::InsertTextMode::AsIs);
+  if (isAsIs(item, shared)) json.member("insertTextMode", protocol::InsertTextMode::AsIs);
   if (item.isDeprecated && shared.client.completionTags)
     json.key("tags").open('[').value(protocol::CompletionItemTag::Deprecated).close(']');
   else if (item.isDeprecated && shared.client.completionDeprecated)
@@ -92,6 +113,14 @@ ide::CompletionTrigger triggerOf(const Json& params) {
   return {character.get_ref<const std::string&>().front()};
 }
 
+/// The characters of a line before an offset.
+std::size_t columnOf(const std::string& text, syntax::Offset at) {
+  const std::string_view before = std::string_view(text).substr(0, at);
+  const auto isFirst = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0) != 0x80; };
+  return static_cast<std::size_t>(
+      std::ranges::count_if(before.substr(before.rfind('\n') + 1), isFirst));
+}
+
 Answer completion(const Request& request) {
   auto at = cursor(request);
   if (!at) return std::unexpected(at.error());
@@ -106,7 +135,7 @@ Answer completion(const Request& request) {
     return json.take();
   };
   const Shared shared{rangeText(found.insert), rangeText(found.replace), convert.uri(at->view.file),
-                      request.client};
+                      columnOf(at->view.text(), found.insert.begin), request.client};
   Json items = Json::array();
   for (const auto& item : found.items) items.push_back(itemJson(item, items.size(), shared));
   return Json{{"isIncomplete", !found.isComplete}, {"items", std::move(items)}};

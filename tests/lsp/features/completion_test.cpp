@@ -61,6 +61,19 @@ TEST_CASE("the lines of a snippet are indented by the server") {
   }
 }
 
+TEST_CASE("a snippet within a body is indented from its own parenthesis") {
+  Session::Options options;
+  options.capabilities["textDocument"]["completion"]["completionItem"]["insertTextModeSupport"] = {
+      {"valueSet", {1, 2}}};
+  Session session(options);
+  session.initialize();
+  session.open(kMain, "(defskill m\n  :body\n    ((wh)\n     w))\n");
+  const auto inList = session.at("textDocument/completion", kMain, 2, 8);
+  CHECK(itemOf(inList, "while")["textEdit"]["newText"] == "while ($1)\n       $0");
+  const auto asList = session.at("textDocument/completion", kMain, 3, 6);
+  CHECK(itemOf(asList, "while")["textEdit"]["newText"] == "(while ($1)\n       $0)");
+}
+
 TEST_CASE("what is deprecated is struck out where it is offered and where it is used") {
   Session session;
   session.initialize();
