@@ -15,15 +15,15 @@ using syntax::Code;
 
 class InstantRounds {
 public:
-  InstantRounds(Report& report, ProcessId id)
-      : report(report), id(id), process(report.system()[id]) {}
+  InstantRounds(Report& report, const Disturbances& others, ProcessId id)
+      : report(report), others(others), id(id), process(report.system()[id]) {}
 
   void check() {
     const auto within = [this](NodeId node) {
-      return report.solver.reachable(id, node) && mayTakeNoTime(report.solver, id, node);
+      return report.solver.reachable(id, node) && mayTakeNoTime(report.solver, others, id, node);
     };
     for (const std::vector<NodeId>& loop : loopsOf(*process.graph, within))
-      if (const auto round = instantRound(report.solver, id, loop)) tell(*round);
+      if (const auto round = instantRound(report.solver, others, id, loop)) tell(*round);
   }
 
 private:
@@ -58,6 +58,7 @@ private:
   }
 
   Report& report;
+  const Disturbances& others;
   ProcessId id;
   const Process& process;
 };
@@ -65,9 +66,10 @@ private:
 } // namespace
 
 void checkRounds(Report& report) {
+  const Disturbances others(report.system());
   for (ProcessId id = 0; id < report.system().size(); ++id) {
     const Process& process = report.system()[id];
-    if (process.graph && process.analysed) InstantRounds(report, id).check();
+    if (process.graph && process.analysed) InstantRounds(report, others, id).check();
   }
 }
 

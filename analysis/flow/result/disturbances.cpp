@@ -4,15 +4,30 @@
 
 namespace proskill::analysis::flow {
 
-namespace {
+Disturbances::Disturbances(const System& of) : system(of), guards(of.size()) {
+  for (ProcessId process = 0; process < system.size(); ++process)
+    if (system[process].graph) collect(process);
+}
 
-bool hasNode(const Process& process, NodeKind kind) {
-  return process.graph &&
-         std::ranges::find(process.graph->nodes, kind, &Node::kind) != process.graph->nodes.end();
+void Disturbances::collect(ProcessId id) {
+  const Process& process = system[id];
+  const auto& nodes = process.graph->nodes;
+  bool leaves = false;
+  for (NodeId node = 0; node < nodes.size(); ++node) {
+    const NodeKind kind = nodes[node].kind;
+    leaves = leaves || kind == NodeKind::Leave;
+    if (kind == NodeKind::InvariantFailure) guards[id].push_back(node);
+    if (kind == NodeKind::Interrupt && process.actions[node].target != kNoProcess)
+      interrupts.push_back({id, process.actions[node].target});
+  }
+  if (!guards[id].empty()) guarded.push_back(id);
+  if (process.kind != ProcessKind::Branch) return;
+  if (leaves) leaving.push_back(id);
+  if ((*system[process.parent].graph)[process.graph->fork].isRace()) branches.push_back(id);
 }
 
 /// A thread with those that forked it or called its skill, transitively.
-IdSet threadsAround(const System& system, ProcessId thread) {
+IdSet Disturbances::threadsAround(ProcessId thread) const {
   IdSet around;
   std::vector<ProcessId> todo{thread};
   while (!todo.empty()) {
@@ -27,37 +42,29 @@ IdSet threadsAround(const System& system, ProcessId thread) {
   return around;
 }
 
-/// Whether it belongs to a race against one of these threads.
-bool racesWith(const System& system, const Process& branch, const IdSet& threads) {
-  const NodeId fork = branch.graph->fork;
-  if (!(*system[branch.parent].graph)[fork].isRace()) return false;
-  const auto& branches = system[branch.parent].actions[fork].branches;
-  return std::ranges::any_of(branches, [&](ProcessId each) { return threads.contains(each); });
+/// Whether the branch of a race may win against one of these threads.
+bool Disturbances::racesWith(ProcessId branch, const IdSet& threads) const {
+  const Process& process = system[branch];
+  const auto& all = system[process.parent].actions[process.graph->fork].branches;
+  return std::ranges::any_of(all, [&](ProcessId each) { return threads.contains(each); });
 }
 
-} // namespace
-
-bool mayBeEnded(const System& system, ProcessId thread) {
-  const IdSet around = threadsAround(system, thread);
-  for (ProcessId other = 0; other < system.size(); ++other) {
-    const Process& process = system[other];
-    if (other != thread && around.contains(other) && hasNode(process, NodeKind::InvariantFailure))
-      return true;
-    if (!around.contains(other) && process.kind == ProcessKind::Branch &&
-        around.contains(process.parent) &&
-        (hasNode(process, NodeKind::Leave) || racesWith(system, process, around)))
-      return true;
-    if (other == thread || !process.graph) continue;
-    for (NodeId node = 0; node < process.actions.size(); ++node)
-      if ((*process.graph)[node].kind == NodeKind::Interrupt &&
-          process.actions[node].target != kNoProcess &&
-          around.contains(process.actions[node].target))
-        return true;
-  }
-  return false;
+bool Disturbances::mayBeEnded(ProcessId thread) const {
+  const IdSet around = threadsAround(thread);
+  const auto isBeside = [&](ProcessId branch) {
+    return !around.contains(branch) && around.contains(system[branch].parent);
+  };
+  return std::ranges::any_of(guarded,
+                             [&](ProcessId id) { return id != thread && around.contains(id); }) ||
+         std::ranges::any_of(leaving, isBeside) ||
+         std::ranges::any_of(branches,
+                             [&](ProcessId id) { return isBeside(id) && racesWith(id, around); }) ||
+         std::ranges::any_of(interrupts, [&](const Interrupt& each) {
+           return each.by != thread && around.contains(each.of);
+         });
 }
 
-bool mayBeHeldUp(const System& system, ProcessId caller, ProcessId callee) {
+bool Disturbances::mayBeHeldUp(ProcessId caller, ProcessId callee) const {
   const auto& needed = system.skill(system[callee]).resources;
   const auto holds = [&](ProcessId other) {
     const Process& process = system[other];

@@ -1,6 +1,5 @@
 #include "analysis/flow/result/instant_rounds.h"
 
-#include "analysis/flow/result/disturbances.h"
 #include "analysis/flow/result/loops.h"
 #include "analysis/flow/result/report.h"
 
@@ -35,11 +34,17 @@ bool require(State& state, const Condition& condition, bool holds, Need need) {
 
 class Rounds {
 public:
-  Rounds(const Solver& solver, ProcessId id, const std::vector<NodeId>& loop)
-      : solver(solver), system(solver.system()), id(id), self(system[id]), loop(loop) {}
+  Rounds(const Solver& solver, const Disturbances& others, ProcessId id,
+         const std::vector<NodeId>& loop)
+      : solver(solver),
+        others(others),
+        system(solver.system()),
+        id(id),
+        self(system[id]),
+        loop(loop) {}
 
   std::optional<InstantRound> find() {
-    if (mayBeEnded(system, id)) return std::nullopt;
+    if (others.mayBeEnded(id)) return std::nullopt;
     for (NodeId head : loop)
       for (const State& start : solver.cases(id, head)) {
         path.clear();
@@ -54,15 +59,6 @@ private:
   }
   [[nodiscard]] const Action& actionOf(const Pass& pass) const {
     return system[pass.process].actions[pass.node];
-  }
-
-  /// The nodes of the guards of a skill.
-  [[nodiscard]] std::vector<NodeId> guardsOf(ProcessId process) const {
-    std::vector<NodeId> guards;
-    const auto& nodes = system[process].graph->nodes;
-    for (NodeId node = 0; node < nodes.size(); ++node)
-      if (nodes[node].kind == NodeKind::InvariantFailure) guards.push_back(node);
-    return guards;
   }
 
   bool search(NodeId head, NodeId node, const State& state) {
@@ -104,8 +100,8 @@ private:
       all.back().precondition = i;
     }
     const ProcessId callee = actionOf(call).target;
-    if (!system.skill(system[callee]).isComposite() || !guardsOf(call.process).empty() ||
-        mayBeHeldUp(system, call.process, callee) || mayBeEnded(system, callee))
+    if (!system.skill(system[callee]).isComposite() || !others.guardsOf(call.process).empty() ||
+        others.mayBeHeldUp(call.process, callee) || others.mayBeEnded(callee))
       return;
     Passes way;
     addServed(call, callee, 0, entryOf(call, state), way, all);
@@ -133,7 +129,7 @@ private:
   [[nodiscard]] bool mayBePassed(ProcessId process, NodeId node) const {
     const NodeKind kind = (*system[process].graph)[node].kind;
     return kind == NodeKind::Start || kind == NodeKind::Outcome ||
-           mayTakeNoTime(solver, process, node);
+           mayTakeNoTime(solver, others, process, node);
   }
 
   /// Also true for what another check reports.
@@ -214,7 +210,7 @@ private:
       if (nodeOf(pass).kind != NodeKind::Wait || waiting != kNoNode) return false;
       waiting = pass.node;
     }
-    if (waiting == kNoNode || !guardsOf(id).empty()) return false;
+    if (waiting == kNoNode || !others.guardsOf(id).empty()) return false;
     const bool hasTimeout = std::ranges::any_of((*self.graph)[waiting].edges, [](const Edge& edge) {
       return !edge.stops && edge.guard != Guard::Holds;
     });
@@ -253,7 +249,8 @@ private:
 
   [[nodiscard]] IdSet variablesRead() const {
     IdSet read;
-    for (NodeId guard : guardsOf(id)) addRead(self, self.actions[guard].conditions.at(0), read);
+    for (NodeId guard : others.guardsOf(id))
+      addRead(self, self.actions[guard].conditions.at(0), read);
     addReads(path, read);
     return read;
   }
@@ -273,7 +270,7 @@ private:
       if (pass.inner.empty())
         addRead(callee, callee.actions[0].conditions[pass.precondition], read);
       else
-        for (NodeId guard : guardsOf(actionOf(pass).target))
+        for (NodeId guard : others.guardsOf(actionOf(pass).target))
           addRead(callee, callee.actions[guard].conditions.at(0), read);
       addReads(pass.inner, read);
     }
@@ -287,7 +284,7 @@ private:
   bool take(const Pass& pass, State& state, Need need) const {
     const Process& process = system[pass.process];
     if (nodeOf(pass).kind != NodeKind::Start)
-      for (NodeId guard : guardsOf(pass.process))
+      for (NodeId guard : others.guardsOf(pass.process))
         if (!require(state, process.actions[guard].conditions.at(0), true, need)) return false;
     const Edge& edge = nodeOf(pass).edges[pass.edge];
     if (nodeOf(pass).kind == NodeKind::Call)
@@ -370,6 +367,7 @@ private:
   }
 
   const Solver& solver;
+  const Disturbances& others;
   const System& system;
   ProcessId id;
   const Process& self;
@@ -380,18 +378,19 @@ private:
 
 } // namespace
 
-bool mayTakeNoTime(const Solver& solver, ProcessId process, NodeId node) {
+bool mayTakeNoTime(const Solver& solver, const Disturbances& others, ProcessId process,
+                   NodeId node) {
   const Node& each = (*solver.system()[process].graph)[node];
   const ProcessId target = solver.system()[process].actions[node].target;
   if (each.kind == NodeKind::Call)
-    return target != kNoProcess && !mayBeHeldUp(solver.system(), process, target);
+    return target != kNoProcess && !others.mayBeHeldUp(process, target);
   return each.kind == NodeKind::Wait || each.kind == NodeKind::Emit ||
          takesNoTime(solver.system()[process], node);
 }
 
-std::optional<InstantRound> instantRound(const Solver& solver, ProcessId process,
-                                         const std::vector<NodeId>& loop) {
-  return Rounds(solver, process, loop).find();
+std::optional<InstantRound> instantRound(const Solver& solver, const Disturbances& others,
+                                         ProcessId process, const std::vector<NodeId>& loop) {
+  return Rounds(solver, others, process, loop).find();
 }
 
 } // namespace proskill::analysis::flow

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "analysis/flow/engine/solver.h"
+#include "analysis/flow/result/disturbances.h"
 
 #include <optional>
 #include <vector>
@@ -25,10 +26,13 @@ struct InstantRound {
 /// found for values that the solver considers possible and that all lead through the cycle back to
 /// such values. Only cycles with a wait or a call count. Nothing if none is found. If the values
 /// are possible, the cycle exists, unless other processes interfere.
-[[nodiscard]] std::optional<InstantRound> instantRound(const Solver& solver, ProcessId process,
+[[nodiscard]] std::optional<InstantRound> instantRound(const Solver& solver,
+                                                       const Disturbances& others,
+                                                       ProcessId process,
                                                        const std::vector<NodeId>& loop);
 
 /// Whether the node may be part of such a cycle.
-[[nodiscard]] bool mayTakeNoTime(const Solver& solver, ProcessId process, NodeId node);
+[[nodiscard]] bool mayTakeNoTime(const Solver& solver, const Disturbances& others,
+                                 ProcessId process, NodeId node);
 
 } // namespace proskill::analysis::flow
