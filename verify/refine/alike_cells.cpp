@@ -1,6 +1,5 @@
 #include "verify/refine/alike_cells.h"
 
-#include <cctype>
 #include <map>
 #include <string>
 #include <string_view>
@@ -42,20 +41,23 @@ AlikeCells::AlikeCells(const Slicer& slicer) : read(slicer.withLayout().instance
 Bits AlikeCells::with(const Bits& cells) const {
   Bits all = cells;
   for (const auto& ofInstance : read) {
+    if (!ofInstance.meets(cells)) continue;
     Bits known = cells;
     known &= ofInstance;
+    const Bits fields = fieldsOf(known);
     ofInstance.each([&](CellId cell) {
-      if (isLikeAny(cell, known)) all.insert(cell);
+      if (field[cell] != kNone && fields.contains(field[cell])) all.insert(cell);
     });
   }
   return all;
 }
 
-bool AlikeCells::isLikeAny(CellId cell, const Bits& cells) const {
-  bool isLike = false;
-  if (field[cell] != kNone)
-    cells.each([&](CellId other) { isLike = isLike || field[other] == field[cell]; });
-  return isLike;
+Bits AlikeCells::fieldsOf(const Bits& cells) const {
+  Bits fields;
+  cells.each([&](CellId cell) {
+    if (field[cell] != kNone) fields.insert(field[cell]);
+  });
+  return fields;
 }
 
 } // namespace proskill::verify

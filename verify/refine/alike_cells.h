@@ -19,7 +19,7 @@ public:
   [[nodiscard]] Bits with(const Bits& cells) const;
 
 private:
-  [[nodiscard]] bool isLikeAny(CellId cell, const Bits& cells) const;
+  [[nodiscard]] Bits fieldsOf(const Bits& cells) const;
 
   std::vector<std::uint32_t> field; ///< by cell; kNone: it is not in an array
   std::vector<Bits> read;           ///< by instance: cells that its guards read

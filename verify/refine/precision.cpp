@@ -2,6 +2,7 @@
 
 #include "verify/refine/omitted_conditions.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace proskill::verify {
@@ -44,6 +45,13 @@ Precision Precision::widened(const AlikeCells& alike) const {
   Precision wide = *this;
   wide.known = alike.with(known);
   return wide;
+}
+
+bool Precision::isLike(const Precision& other) const {
+  Bits both = known;
+  both |= other.known;
+  const auto fewer = std::min(known.count(), other.known.count());
+  return isTimed == other.isTimed && 4 * both.count() <= 5 * fewer;
 }
 
 /// What decides since when steps are due that the slice may take later.

@@ -24,6 +24,8 @@ public:
 
   /// The same with all cells that are like those it knows.
   [[nodiscard]] Precision widened(const AlikeCells& alike) const;
+  /// Whether the two together know at most a quarter more than each of them.
+  [[nodiscard]] bool isLike(const Precision& other) const;
   /// Adds what another one knows. \pre both have clocks, or none has
   void join(const Precision& other) { known |= other.known; }
 

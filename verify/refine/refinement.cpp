@@ -100,8 +100,9 @@ void Refinement::explore(const Group& all, Asking& asking) {
   Group group = all;
   pay(priceOfSlice(split.system), group, asking);
   std::erase_if(group.goals, [&](std::size_t i) {
-    if (asking.left[i] == 0) giveUp(i, group, asking);
-    return asking.left[i] == 0;
+    const bool isSpent = asking.left[i] == 0;
+    if (isSpent) giveUp(i, group, asking);
+    return isSpent;
   });
   if (group.goals.empty() || asking.together == 0) return;
   RefinedSlice slice(group.precision, goalsOf(group, asking), limits);
@@ -192,16 +193,16 @@ void Refinement::readRuns(const Group& group, RefinedSlice& slice, const Prepare
                          std::make_move_iterator(refined.end()));
 }
 
-/// Wide slices of the same precision are mostly the same, whatever the question.
+/// Wide slices that know nearly the same are mostly the same, whatever the question.
 void Refinement::addWide(const Group& refined, Asking& asking) {
-  const auto isSame = [&](const Group& group) {
-    return group.isWide && group.precision == refined.precision;
+  const auto suits = [&](const Group& group) {
+    return group.isWide && group.precision.isLike(refined.precision);
   };
-  const auto same = std::ranges::find_if(asking.groups, isSame);
-  if (same == asking.groups.end())
-    asking.groups.push_back({refined.precision, refined.goals, true});
-  else
-    same->goals.insert(same->goals.end(), refined.goals.begin(), refined.goals.end());
+  const auto found = std::ranges::find_if(asking.groups, suits);
+  if (found == asking.groups.end())
+    return asking.groups.push_back({refined.precision, refined.goals, true});
+  found->precision.join(refined.precision);
+  found->goals.insert(found->goals.end(), refined.goals.begin(), refined.goals.end());
 }
 
 /// Tries a wide slice where a narrow one was not enough, until that has failed too often.
