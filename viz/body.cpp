@@ -281,6 +281,17 @@ void drawWatched(Builder& builder, const syntax::Skill& skill) {
   builder.leaveCluster();
 }
 
+/// A monitor that is always armed waits for its precondition again after each end of its body.
+void drawRearming(Builder& builder, const syntax::Skill& skill) {
+  if (!skill.armed || skill.preconditions.empty()) return;
+  const auto& nodes = builder.graph.nodes;
+  const auto wait = std::ranges::find(nodes, NodeRole::Wait, &Node::role); // the first of all
+  const auto waits = static_cast<std::size_t>(wait - nodes.begin());
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (nodes[i].role == NodeRole::Success || nodes[i].role == NodeRole::Failure)
+      builder.edge({i, waits, EdgeRole::Next, "once it is false", {}});
+}
+
 } // namespace
 
 Graph drawBody(const analysis::Program& program, const SkillDefinition& skill) {
@@ -296,6 +307,7 @@ Graph drawBody(const analysis::Program& program, const SkillDefinition& skill) {
   if (!out.empty())
     builder.connect(out,
                     builder.node(NodeRole::Success, "success", endOf(body), {"end of the body"}));
+  drawRearming(builder, skill.node());
   drawWatched(builder, skill.node());
   if (skill->timeInterval) drawWatchdog(builder, *skill->timeInterval);
   return std::move(builder.graph);

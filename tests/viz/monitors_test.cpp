@@ -27,6 +27,8 @@ TEST_CASE("a monitor that is always armed waits for its precondition and is not 
   const auto armed = drawn("always");
   CHECK(armed.contains("wait until the precondition holds {x: (s X)}"));
   CHECK_FALSE(armed.contains("refused"));
+  CHECK(armed.contains("-> until the precondition holds: once it is false"));
+  CHECK_FALSE(drawn("t").contains("once it is false"));
 }
 
 } // namespace proskill::test::monitors_test
