@@ -5,6 +5,7 @@
 #include "lsp/protocol/markup.h"
 #include "lsp/protocol/numbers.h"
 #include "lsp/protocol/symbol_json.h"
+#include "syntax/text/characters.h"
 
 #include <fmt/format.h>
 
@@ -44,7 +45,7 @@ struct Shared {
   std::string insert; ///< ranges, as JSON
   std::string replace;
   std::string uri;
-  std::size_t column = 0; ///< where what is inserted begins in its line, in characters
+  std::size_t column = 0; ///< where what is inserted begins in its line
   const ClientFeatures& client;
 };
 
@@ -113,12 +114,10 @@ ide::CompletionTrigger triggerOf(const Json& params) {
   return {character.get_ref<const std::string&>().front()};
 }
 
-/// The characters of a line before an offset.
-std::size_t columnOf(const std::string& text, syntax::Offset at) {
-  const std::string_view before = std::string_view(text).substr(0, at);
-  const auto isFirst = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0) != 0x80; };
-  return static_cast<std::size_t>(
-      std::ranges::count_if(before.substr(before.rfind('\n') + 1), isFirst));
+/// The width of a line before an offset.
+std::size_t columnOf(std::string_view text, syntax::Offset at) {
+  const auto before = text.substr(0, at);
+  return syntax::widthOf(before.substr(before.rfind('\n') + 1));
 }
 
 Answer completion(const Request& request) {

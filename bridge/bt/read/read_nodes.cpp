@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 namespace proskill::bridge::bt {
 namespace {
@@ -14,14 +15,17 @@ bool nameIsNeeded(std::string_view tag) {
   return tag == "Action" || tag == "Condition" || tag.starts_with("SubTree");
 }
 
-/// What BehaviorTree.CPP itself reads of a node; all other names are ports.
-constexpr auto kReserved = std::to_array<std::string_view>(
-    {"_failureIf", "_successIf", "_skipIf", "_while", "_onSuccess", "_onFailure", "_onHalted",
-     "_post", "_autoremap", "_description", "_fullpath", "_uid"});
-
+/// Attributes that BehaviorTree.CPP itself reads of a node, as scripts.
 constexpr auto kScripts =
     std::to_array<std::string_view>({"_failureIf", "_successIf", "_skipIf", "_while", "_onSuccess",
                                      "_onFailure", "_onHalted", "_post"});
+/// What else it reads itself; all other names are ports.
+constexpr auto kReserved =
+    std::to_array<std::string_view>({"_autoremap", "_description", "_fullpath", "_uid"});
+
+bool isAmong(std::span<const std::string_view> names, std::string_view key) {
+  return std::ranges::find(names, key) != names.end();
+}
 
 /// Ports without which BehaviorTree.CPP does not execute a node.
 struct Needed {
@@ -80,11 +84,11 @@ Node NodeReader::node(const Element& element) {
 
 void NodeReader::attributes(const Element& element, Node& node) {
   for (const auto& [key, value] : element.attributes) {
-    if (std::ranges::find(kScripts, key) != kScripts.end() && !value.empty())
-      script(element, value);
+    const bool isScript = isAmong(kScripts, key);
+    if (isScript && !value.empty()) script(element, value);
     if (tag(element).starts_with("SubTree") && isOfVersion3(key))
       node.ports.emplace(key.substr(1), value);
-    else if (key.starts_with('_') && std::ranges::find(kReserved, key) == kReserved.end())
+    else if (key.starts_with('_') && !isScript && !isAmong(kReserved, key))
       fail(element, fmt::format("`{}` is not an attribute of BehaviorTree.CPP", key));
     else if (key == "ID")
       node.id = value;
