@@ -63,7 +63,9 @@ void Judgement::judgeCertain(const Diagnostic& claim) {
                        (report->system().hasFreeEvents() ? 2 : 1);
     const auto* inside = enclosing(claim.related.at(0).location, {"reachable"});
     // A body that the loop calls may be called elsewhere too, and the loop never be reached.
-    if (inside && report->system().callers(processOf(inside->check.subject)).size() > 1) return;
+    if (inside && !isIn(inside->check.subject, claim.location) &&
+        report->system().callers(processOf(inside->check.subject)).size() > 1)
+      return;
     const auto* refused = inside ? find("never_refused", inside->place) : nullptr;
     if (!alone || (claim.code == Code::RefusedInLoop && !(refused && refused->happens))) return;
     demand(claim, inside, findOf("time_progress", "program"));
@@ -73,6 +75,16 @@ void Judgement::judgeCertain(const Diagnostic& claim) {
   case Code::AlwaysTooLong: demandOfSkill(claim, "no_overshoot"); return;
   default: return;
   }
+}
+
+bool Judgement::isIn(std::string_view skill, Location head) const {
+  const auto definition = report->system()[processOf(skill)].definition;
+  bool isIn = false;
+  forEachReachedNode(*report, [&](ProcessId, const Process& process, NodeId, const Node& each) {
+    isIn = isIn || (process.definition == definition && each.statement &&
+                    report->system().at(process, each.statement->head.range) == head);
+  });
+  return isIn;
 }
 
 const Verdict* Judgement::insideEndlessLoop(Location head) const {

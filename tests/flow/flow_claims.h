@@ -80,6 +80,8 @@ private:
   void judgeCertain(const Diagnostic& claim);
   /// A statement in the body of the `while` or `do` whose first word is at the place, unless the
   /// loop may be left: then somebody may end it at the instant at which it spins.
+  /// Whether the statement with this first word is in the body of the skill.
+  [[nodiscard]] bool isIn(std::string_view skill, Location head) const;
   [[nodiscard]] const Verdict* insideEndlessLoop(Location head) const;
   [[nodiscard]] bool spins(ProcessId id, Location loop) const;
   void demandOfSkill(const Diagnostic& claim, std::string_view kind);

@@ -14,7 +14,6 @@ namespace {
 /// Some formulas have automata with which a small program has millions of classes.
 constexpr std::uint64_t kMostClasses = 200'000;
 constexpr std::string_view kLimitMet = "the limit of classes was reached";
-constexpr std::string_view kTooLarge = "a formula of LTL that is too large";
 
 std::string wordOf(verify::Truth truth) {
   switch (truth) {
@@ -41,10 +40,9 @@ void compareTrace(const Replays& replays, const verify::Answer& answer, Comparis
   comparison.disagreement = "  the engine's trace is no run: " + *why;
 }
 
-/// \return whether the engine has met the limit of this test, or its own for a formula's automaton
+/// \return whether the engine has met the limit of this test
 bool isLimited(const verify::Answer& answer, Comparison& comparison) {
-  const bool met = answer.truth == verify::Truth::Unknown &&
-                   (answer.reason == kLimitMet || answer.reason == kTooLarge);
+  const bool met = answer.truth == verify::Truth::Unknown && answer.reason == kLimitMet;
   comparison.limited += met ? 1 : 0;
   return met;
 }
