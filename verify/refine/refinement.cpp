@@ -3,7 +3,6 @@
 #include "verify/laid_out.h"
 #include "verify/refine/class_budget.h"
 #include "verify/slice/cone_groups.h"
-#include "verify/slice/whole_run.h"
 #include "verify/trace/witness.h"
 
 #include <algorithm>
@@ -23,6 +22,9 @@ constexpr std::uint64_t kMostInOrder = 1'000;
 /// The questions of a slice of so few classes stay together when they are refined: it is cheaper to
 /// know too much than to make another slice.
 constexpr std::uint64_t kMostTogether = 100;
+
+/// So many steps of a run take as long as a class.
+constexpr std::uint64_t kStepsForOne = 4;
 
 bool isDecided(const Bits& decided, std::size_t goal) {
   return decided.contains(static_cast<std::uint32_t>(goal));
@@ -68,7 +70,8 @@ Bits Refinement::decide(const std::vector<Goal>& goals, const std::vector<std::s
                 .onDecided = onDecided,
                 .each = budget.each,
                 .together = budget.together,
-                .left = std::vector<std::uint64_t>(goals.size(), budget.each)};
+                .left = std::vector<std::uint64_t>(goals.size(), budget.each),
+                .leftForPlans = std::vector<std::uint64_t>(goals.size(), budget.each)};
   for (addGroups(open, asking); !asking.groups.empty() && asking.together > 0;) {
     Group group = std::move(asking.groups.front());
     asking.groups.pop_front();
@@ -224,22 +227,24 @@ const AlikeCells& Refinement::alikeCells() {
 /// Whether a run of the slice, or a search along it, decides the question.
 bool Refinement::isDecidedBy(const Steps& steps, std::size_t goal, const Group& group,
                              RefinedSlice& slice, Asking& asking) {
-  if (const auto run = completed(slice, steps)) {
-    const Evidence evidence{*run, {}};
+  const WholeRun along = inWhole(slice, steps, kStepsForOne * asking.leftForPlans[goal]);
+  if (along.isRun) {
+    const Evidence evidence{along.steps, {}};
     note(goal, &evidence, asking);
   }
+  const auto added = along.steps.size() - steps.size();
+  if (!along.isRun) payForPlan(added / kStepsForOne, goal, asking);
   if (!isDecided(asking.decided, goal) && group.precision.hasTime())
-    follow(inSystem(slice.uncontracted(), steps), goal, asking);
+    follow(along.steps, goal, asking);
   return isDecided(asking.decided, goal);
 }
 
 /// Searches the whole along a run of a slice.
 void Refinement::follow(const Steps& plan, std::size_t goal, Asking& asking) {
-  const auto most = std::min(asking.left[goal], asking.together);
+  const auto most = std::min(asking.leftForPlans[goal], asking.together);
   auto left = most;
   asking.plans.follow(plan, left, asking.decided, asking.statistics, asking.onDecided);
-  spend(most - left, asking.left[goal]);
-  spend(most - left, asking.together);
+  payForPlan(most - left, goal, asking);
 }
 
 /// \param run of the whole that reaches the goal; null: it is never reached
@@ -256,6 +261,11 @@ std::uint64_t Refinement::mostFor(const Group& group, const Asking& asking) {
     most = std::max(most, asking.left[i]);
   }
   return std::min({sum, asking.together, std::max(most, asking.together / 4)});
+}
+
+void Refinement::payForPlan(std::uint64_t classes, std::size_t goal, Asking& asking) {
+  spend(classes, asking.leftForPlans[goal]);
+  spend(classes, asking.together);
 }
 
 /// Each question of the group pays the same.
@@ -278,14 +288,14 @@ Steps Refinement::inSystem(const Slice& slice, const Steps& steps) const {
   return made;
 }
 
-/// Completes steps of the slice to a run of the whole.
-std::optional<Steps> Refinement::completed(RefinedSlice& of, const Steps& steps) {
+/// What the whole does along steps of the slice; without dates only these.
+WholeRun Refinement::inWhole(RefinedSlice& of, const Steps& steps, std::size_t mostOfPlan) const {
   const Slice& slice = of.uncontracted();
   const auto dating = of.datingOf(steps);
-  if (!dating) return std::nullopt;
+  if (!dating) return {inSystem(slice, steps)};
   Bits planned;
   slice.punctual().each([&](TransitionId id) { planned.insert(split.original[id]); });
-  return wholeRun(whole, inSystem(slice, steps), planned, *dating, limits);
+  return wholeRun(whole, inSystem(slice, steps), planned, *dating, mostOfPlan, limits);
 }
 
 bool Refinement::showNoRun(const Goal& goal, std::uint64_t most, Exploration& statistics) {

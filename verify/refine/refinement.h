@@ -12,6 +12,7 @@
 #include "verify/refine/split_tests.h"
 #include "verify/slice/part_text.h"
 #include "verify/slice/slicer.h"
+#include "verify/slice/whole_run.h"
 #include "verify/verify.h"
 
 #include <deque>
@@ -85,8 +86,9 @@ private:
     const OnDecided& onDecided;
     std::uint64_t each;              ///< budget of a question
     std::uint64_t together;          ///< classes left for all questions
-    std::vector<std::uint64_t> left; ///< classes left, by goal
-    std::deque<Group> groups{};      ///< to explore
+    std::vector<std::uint64_t> left; ///< classes left for slices, by goal
+    std::vector<std::uint64_t> leftForPlans;
+    std::deque<Group> groups{}; ///< to explore
     Bits decided{};
     Gain narrow{}; ///< of refined slices
     Gain wide{};
@@ -111,10 +113,12 @@ private:
   void follow(const Steps& plan, std::size_t goal, Asking& asking);
   static void note(std::size_t goal, const Evidence* run, Asking& asking);
   [[nodiscard]] static std::uint64_t mostFor(const Group& group, const Asking& asking);
+  static void payForPlan(std::uint64_t classes, std::size_t goal, Asking& asking);
   static void pay(std::uint64_t classes, const Group& group, Asking& asking);
   [[nodiscard]] static std::vector<Goal> goalsOf(const Group& group, const Asking& asking);
   [[nodiscard]] Steps inSystem(const Slice& slice, const Steps& steps) const;
-  [[nodiscard]] std::optional<Steps> completed(RefinedSlice& slice, const Steps& steps);
+  [[nodiscard]] WholeRun inWhole(RefinedSlice& slice, const Steps& steps,
+                                 std::size_t mostOfPlan) const;
 
   SplitSystem split;
   Slicer slicer; ///< of the split system

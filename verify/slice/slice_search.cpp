@@ -163,9 +163,9 @@ void SliceSearch::explore(const Group& group, const std::vector<Goal>& goals,
     const Evidence tidied = witness.tidied(own[i], evidence);
     const auto dating = witness.dates(tidied);
     if (!dating) return;
-    const auto steps = wholeRun(whole, slice.inWhole(tidied.steps), planned, *dating, limits);
-    if (!steps) return;
-    const Evidence run{*steps, {}};
+    const auto all = wholeRun(whole, slice.inWhole(tidied.steps), planned, *dating, 0, limits);
+    if (!all.isRun) return;
+    const Evidence run{all.steps, {}};
     if (onDecided(asked[i], &run)) decided.insert(static_cast<std::uint32_t>(asked[i]));
   };
   const auto found = search(prepared.system, own, prepared.reductions, prepared.extrapolation,

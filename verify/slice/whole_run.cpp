@@ -2,11 +2,16 @@
 
 #include "verify/trace/simulator.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace proskill::verify {
 
 namespace {
 
-constexpr std::size_t kMostSteps = 20'000;
+/// So many steps may a run have beside those of the slice, and so many for each of these.
+constexpr std::size_t kAdded = 20'000;
+constexpr std::size_t kTimes = 4;
 
 /// Notices that a situation comes again, soon after it does (Brent, 1980).
 class CycleDetector {
@@ -30,10 +35,14 @@ private:
 
 class Runner {
 public:
-  Runner(const System& of, const Bits& notAdded, std::int64_t units, LimitWatch& watch)
+  /// \param longest number of steps \param longestPlan if the run is left
+  Runner(const System& of, const Bits& notAdded, std::int64_t units, std::size_t longest,
+         std::size_t longestPlan, LimitWatch& watch)
       : system(of),
         planned(notAdded),
         scale(units),
+        most(longest),
+        mostOfPlan(longestPlan),
         limits(watch),
         simulator(of, units),
         now(simulator.start()) {}
@@ -44,19 +53,26 @@ public:
     while (at != date || !now.since.contains(step)) {
       const auto due = nextDue(at);
       if (!due) break;
-      if (planned.contains(due->step) || !takeAt(due->step, due->date)) return false;
+      if (planned.contains(due->step)) leave();
+      if (!takeAt(due->step, due->date)) return false;
       if (cycle.isAgain(now, date)) return false; // so it never becomes possible
     }
     return takeAt(step, at);
   }
 
   Steps taken;
+  bool hasLeft = false; ///< whether a planned step was taken that is not of the run
 
 private:
   struct Due {
     TransitionId step = 0;
     std::int64_t date = 0;
   };
+
+  void leave() {
+    hasLeft = true;
+    most = mostOfPlan;
+  }
 
   /// The first step that has to happen before `until`, or at once.
   [[nodiscard]] std::optional<Due> nextDue(std::int64_t until) const {
@@ -77,8 +93,7 @@ private:
 
   bool takeAt(TransitionId step, std::int64_t at) {
     limits.check();
-    if (taken.size() >= kMostSteps || !simulator.mayWait(now, at) ||
-        !simulator.isRipe(now, step, at))
+    if (taken.size() >= most || !simulator.mayWait(now, at) || !simulator.isRipe(now, step, at))
       return false;
     auto next = simulator.take(now, step, at, log);
     if (!next) return false;
@@ -91,6 +106,8 @@ private:
   const System& system;
   const Bits& planned;
   std::int64_t scale;
+  std::size_t most;
+  std::size_t mostOfPlan;
   LimitWatch& limits;
   Simulator simulator;
   Concrete now;
@@ -100,12 +117,16 @@ private:
 
 } // namespace
 
-std::optional<Steps> wholeRun(const System& whole, const Steps& steps, const Bits& planned,
-                              const Dating& dating, LimitWatch& limits) {
-  Runner runner(whole, planned, dating.scale, limits);
-  for (std::size_t i = 0; i < steps.size(); ++i)
-    if (!runner.take(steps[i], dating.steps[i].date)) return std::nullopt;
-  return std::move(runner.taken);
+WholeRun wholeRun(const System& whole, const Steps& steps, const Bits& planned,
+                  const Dating& dating, std::size_t mostOfPlan, LimitWatch& limits) {
+  const auto most = std::max(kAdded + kTimes * steps.size(), mostOfPlan);
+  Runner runner(whole, planned, dating.scale, most, mostOfPlan, limits);
+  std::size_t i = 0;
+  while (i < steps.size() && runner.take(steps[i], dating.steps[i].date)) ++i;
+  const bool isRun = i == steps.size() && !runner.hasLeft;
+  std::copy(steps.begin() + static_cast<std::ptrdiff_t>(i), steps.end(),
+            std::back_inserter(runner.taken));
+  return {std::move(runner.taken), isRun};
 }
 
 } // namespace proskill::verify
