@@ -30,7 +30,8 @@ std::vector<Stage> stagesOf(const Options& options) {
            .sampled = std::min(300 * size, 10 * led),
            .samplesTraces = true,
            .led = 10 * led,
-           .ledEach = 2 * led}};
+           .ledEach = 2 * led},
+          {.at = {1'000 * size}, .refined = {.together = 10'000 * unit, .each = 600 * unit}}};
 }
 
 } // namespace proskill::verify
