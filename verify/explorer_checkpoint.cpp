@@ -11,7 +11,7 @@ void Explorer::saveIfDue() {
 }
 
 void Explorer::save() {
-  if (!checkpoint || isLed || !isWhole || !result.failure.empty()) return;
+  if (!checkpoint || hasOneThread || !isWhole || !result.failure.empty()) return;
   checkpoint->save([this](CheckpointWriter& to) { write(to); });
 }
 

@@ -80,4 +80,30 @@ TEST_CASE("a mission of a day is decided where its loops call what others may st
   CHECK(found.out.find("inconclusive") == std::string::npos);
 }
 
+TEST_CASE("a mission of three shifts is never late") {
+  const TemporaryDirectory files;
+  const auto path = files.write(
+      "shifts.proskill",
+      "(defsv stop :states (Free Pressed) :init Free :transitions :all)\n"
+      "(defsv door :states (Closed Open) :init Closed :transitions :all)\n"
+      "(defevent opens :effects (door Open))\n"
+      "(defevent closes :effects (door Closed))\n"
+      "(defevent pressed :effects (stop Pressed))\n"
+      "(defevent freed :effects (stop Free))\n"
+      "(defskill drive :precondition (free (stop Free)) :invariant (safe (:guard (stop Free)))\n"
+      "  :time_interval [20,40] :action (d) :success there :failure lost :interrupt ())\n"
+      "(defskill look :time_interval [5,10] :action (l) :success seen :failure blind)\n"
+      "(defskill charge :precondition (shut (door Closed)) :time_interval [600,1200] :action (c))\n"
+      "(defskill alarm :monitor always :precondition (p (stop Pressed)) :interrupt ()\n"
+      "  :body ((look) (^ 60)))\n"
+      "(defskill shift :success done\n"
+      "  :body ((race ((^ 28800)) ((while true (drive) (look) (^ 120)))) (charge) (success "
+      "done)))\n"
+      "(defskill mission :success done :failure late\n"
+      "  :body ((race ((^ 100000) (failure late)) ((shift) (shift) (shift))) (success done)))\n");
+  const Finished found = run({PROSKILL_PROGRAM, "verify", "--property", "mission.can_fail.late",
+                              "--class-limit", "2000000", path});
+  CHECK(found.out.find("can fail with `late`: unreachable") != std::string::npos);
+}
+
 } // namespace proskill::test::real_size_test

@@ -21,7 +21,7 @@ Explorer::Explorer(const System& of, const std::vector<Goal>& asked, const Reduc
       goals{asked, std::vector<bool>(asked.size()), 0},
       expander(of, goals, with, graph, graph.timing, watch),
       frontier(guide),
-      isLed(guide.leads()),
+      hasOneThread(guide.leads() || with.hull),
       stored(of.storedWords),
       pathSteps(of, with, walker, expander) {
   result.goals.resize(asked.size());
@@ -115,7 +115,7 @@ void Explorer::expand(NodeIndex node) {
 /// Whether threads have expanded a node, or are to. Starts them if needed.
 bool Explorer::isForThreads(NodeIndex node) {
   if (node < piece.end) return piece.isForThreads;
-  const unsigned jobs = isLed ? 1 : limits.jobsFor(graph.size(), frontier.left() + 1);
+  const unsigned jobs = hasOneThread ? 1 : limits.jobsFor(graph.size(), frontier.left() + 1);
   if (jobs == 1) return false;
   if (!workers) workers = std::make_unique<Workers>(system, goals, reductions, graph, limits, jobs);
   startPiece(node);
@@ -157,15 +157,20 @@ void Explorer::add(const Successor& successor, const Word* words,
   if (!isNew &&
       graph.covers(state, graph.timing.zones().matrix(successor.zone), reductions.inclusion))
     return;
-  graph.addNode(state, successor.zone, successor.transition, reductions.inclusion);
+  const bool isJoined = !isNew && reductions.hull;
+  const ZoneId zone =
+      isJoined ? graph.hullWith(state, successor.zone, reductions.mostHulls) : successor.zone;
+  graph.addNode(state, zone, successor.transition, reductions.inclusion);
   frontier.add(words, successor.transition, steps);
 }
 
 void Explorer::found(const Notice& notice) {
   if (goals.found[notice.goal]) return;
   Steps steps;
-  if (expanding != kNone) steps = pathTo(expanding);
-  append(steps, notice.steps);
+  if (!reductions.hull) {
+    if (expanding != kNone) steps = pathTo(expanding);
+    append(steps, notice.steps);
+  }
   goals.found[notice.goal] = true;
   ++goals.closed;
   --open;

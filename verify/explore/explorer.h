@@ -119,7 +119,7 @@ private:
   Piece piece; ///< of a long search
   Explored result;
   Frontier frontier;
-  bool isLed;
+  bool hasOneThread;
   std::size_t open = 0; ///< number of undecided goals
 
   bool isWhole = false;   ///< the graph is that of the nodes expanded so far

@@ -3,6 +3,8 @@
 #include "verify/model/system.h"
 #include "verify/state/enabled.h"
 
+#include <cstdint>
+
 namespace proskill::verify {
 
 class StubbornSets;
@@ -13,6 +15,10 @@ class PrivateMoves;
 /// The reductions that an exploration uses; null or empty: not used.
 struct Reductions {
   bool inclusion = false;
+  /// Each state has one zone, the hull of those that lead there. What the search finds may not be
+  /// reachable, and has no steps. Requires inclusion.
+  bool hull = false;
+  std::uint8_t mostHulls = 10; ///< of a state; then its hulls are widened
   const StubbornSets* stubbornSets = nullptr;
   const LiveVariables* liveVariables = nullptr;
   const FreeInputs* freeInputs = nullptr;

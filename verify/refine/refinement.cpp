@@ -23,6 +23,9 @@ constexpr std::uint64_t kMostInOrder = 1'000;
 /// know too much than to make another slice.
 constexpr std::uint64_t kMostTogether = 100;
 
+/// The part of what is left for a question that a search of hulls may take.
+constexpr std::uint64_t kShareOfHulls = 4;
+
 /// So many steps of a run take as long as a class.
 constexpr std::uint64_t kStepsForOne = 4;
 
@@ -149,8 +152,11 @@ SearchResult Refinement::searchFor(const Group& group, const System& part, const
                                    Asking& asking) {
   const auto inOrder = std::min(kMostInOrder * group.goals.size(), mostFor(group, asking));
   auto found = searchFor(group, prepared, nullptr, inOrder, asking);
+  if (!found.paused || mostFor(group, asking) == 0 || group.goals.size() > 1) return found;
+  if (group.precision.hasTime())
+    if (auto hulls = searchHulls(group, prepared, asking)) return *hulls;
   const auto most = mostFor(group, asking);
-  if (!found.paused || most == 0 || group.goals.size() > 1) return found;
+  if (most == 0) return found;
   const Goal& goal = asking.goals[group.goals.front()];
   std::optional<GoalDistance> distance;
   if (GoalDistance::isFor(goal))
@@ -158,11 +164,31 @@ SearchResult Refinement::searchFor(const Group& group, const System& part, const
   return searchFor(group, prepared, distance ? &*distance : nullptr, most, asking);
 }
 
+/// Searches with one zone for each state. Where dates differ by what happened before, there are
+/// very many zones, and what never happens is mostly shown by their hulls.
+/// \return nothing if this does not show that the goal is never reached
+std::optional<SearchResult> Refinement::searchHulls(const Group& group, const Prepared& prepared,
+                                                    Asking& asking) {
+  Reductions reductions = prepared.reductions;
+  reductions.hull = reductions.inclusion;
+  if (!reductions.hull) return std::nullopt;
+  auto found = searchWith(reductions, group, prepared, nullptr,
+                          mostFor(group, asking) / kShareOfHulls, asking);
+  const bool isNever = !found.failure && found.statistics.complete && !found.goals[0];
+  return isNever ? std::optional(std::move(found)) : std::nullopt;
+}
+
 SearchResult Refinement::searchFor(const Group& group, const Prepared& prepared,
                                    GoalDistance* distance, std::uint64_t most, Asking& asking) {
+  return searchWith(prepared.reductions, group, prepared, distance, most, asking);
+}
+
+SearchResult Refinement::searchWith(const Reductions& reductions, const Group& group,
+                                    const Prepared& prepared, GoalDistance* distance,
+                                    std::uint64_t most, Asking& asking) {
   auto found =
-      search(prepared.system, goalsOf(group, asking), prepared.reductions, prepared.extrapolation,
-             limits, [](std::size_t, const Evidence&) {}, {.at = {most}, .next = {}}, {distance});
+      search(prepared.system, goalsOf(group, asking), reductions, prepared.extrapolation, limits,
+             [](std::size_t, const Evidence&) {}, {.at = {most}, .next = {}}, {distance});
   addCounts(asking.statistics, found.statistics);
   pay(found.statistics.classes, group, asking);
   return found;

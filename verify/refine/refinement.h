@@ -103,6 +103,11 @@ private:
                                        const Prepared& prepared, Asking& asking);
   [[nodiscard]] SearchResult searchFor(const Group& group, const Prepared& prepared,
                                        GoalDistance* distance, std::uint64_t most, Asking& asking);
+  [[nodiscard]] std::optional<SearchResult> searchHulls(const Group& group,
+                                                        const Prepared& prepared, Asking& asking);
+  [[nodiscard]] SearchResult searchWith(const Reductions& reductions, const Group& group,
+                                        const Prepared& prepared, GoalDistance* distance,
+                                        std::uint64_t most, Asking& asking);
   void readRuns(const Group& group, RefinedSlice& slice, const Prepared& prepared,
                 const SearchResult& found, Asking& asking);
   [[nodiscard]] bool isDecidedBy(const Steps& steps, std::size_t goal, const Group& group,

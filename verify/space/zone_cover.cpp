@@ -4,11 +4,27 @@
 
 namespace proskill::verify {
 
+/// The greater of each two bounds: these are tight if those of both zones are.
+Dbm hullOf(const Dbm& a, const Dbm& b) {
+  std::vector<Bound> bounds(a.matrix().begin(), a.matrix().end());
+  for (std::size_t i = 0; i < bounds.size(); ++i) bounds[i] = std::max(bounds[i], b.matrix()[i]);
+  return {a.dimension(), bounds};
+}
+
+Dbm widened(const Dbm& before, const Dbm& zone, std::span<const Bound> limits) {
+  const std::uint32_t size = zone.dimension();
+  std::vector<Bound> bounds(zone.matrix().begin(), zone.matrix().end());
+  for (std::size_t i = 0; i < bounds.size(); ++i)
+    if (bounds[i] > before.matrix()[i]) bounds[i] = i < size ? kZero : kInfinite;
+  Dbm wide(size, bounds);
+  wide.close();
+  wide.constrainAll(limits);
+  return wide;
+}
+
 std::optional<Dbm> convexUnion(const Dbm& a, const Dbm& b) {
   const std::uint32_t size = a.dimension();
-  std::vector<Bound> both(a.matrix().begin(), a.matrix().end());
-  for (std::size_t i = 0; i < both.size(); ++i) both[i] = std::max(both[i], b.matrix()[i]);
-  Dbm hull(size, both);
+  Dbm hull = hullOf(a, b);
   for (std::uint32_t i = 0; i < size; ++i)
     for (std::uint32_t j = 0; j < size; ++j) {
       if (a.at(i, j) == hull.at(i, j)) continue;

@@ -27,6 +27,12 @@ private:
   std::vector<Dbm> parts;
 };
 
+/// The least zone that includes two zones. \pre both have the same dimension
+[[nodiscard]] Dbm hullOf(const Dbm& a, const Dbm& b);
+/// The zone without the bounds that have grown, so that few steps lead from 0 s to a day. Cousot
+/// and Cousot, "Abstract interpretation", POPL 1977. \param before a part of the zone \param limits
+/// of the clocks, by clock
+[[nodiscard]] Dbm widened(const Dbm& before, const Dbm& zone, std::span<const Bound> limits);
 /// The union of two zones if it is a zone. \pre both have the same dimension
 [[nodiscard]] std::optional<Dbm> convexUnion(const Dbm& a, const Dbm& b);
 

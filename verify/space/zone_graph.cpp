@@ -81,6 +81,18 @@ bool ZoneGraph::covers(StateId state, std::span<const Bound> zone, bool inclusio
   return false;
 }
 
+ZoneId ZoneGraph::hullWith(StateId state, ZoneId zone, std::uint8_t most) {
+  const auto& all = timing.zones();
+  const Dbm before = all.zone(zoneOf(headOf(state)));
+  Dbm hull = hullOf(before, all.zone(zone));
+  if (hulls.size() <= state) hulls.resize(std::size_t{state} + 1);
+  if (hulls[state] < most)
+    ++hulls[state];
+  else
+    hull = widened(before, hull, timing.at(signatureOf(state)).invariants);
+  return timing.adopt(hull);
+}
+
 /// Removes the nodes whose zones a new one includes from the list of a state. If many remain, the
 /// state gets a cover. \return the first that remains
 NodeIndex ZoneGraph::removeSubsumed(StateId state, ZoneId zone) {
@@ -124,8 +136,8 @@ void ZoneGraph::addToCover(StateId state, NodeIndex first, ZoneId zone) {
 
 std::uint64_t ZoneGraph::bytes() const {
   std::uint64_t all = timing.bytes() + states.bytes() + coverBytes + parents.bytes() +
-                      subsumed.bytes() + indexed.bytes() + (index ? index->bytes() : 0) +
-                      unions.capacity() * sizeof(ZoneCover);
+                      hulls.capacity() + subsumed.bytes() + indexed.bytes() +
+                      (index ? index->bytes() : 0) + unions.capacity() * sizeof(ZoneCover);
   for (const Column* column : {&signatures, &heads, &coverOf, &lags, &zones, &links, &steps})
     all += column->bytes();
   return all;

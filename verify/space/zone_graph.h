@@ -50,6 +50,10 @@ public:
   /// Several threads may call this at once, with zones of their own.
   [[nodiscard]] bool covers(StateId state, std::span<const Bound> zone, bool inclusion) const;
 
+  /// A zone that includes this one and that of the newest node of the state: the hull of both, or
+  /// a wider one if so many were made for the state.
+  [[nodiscard]] ZoneId hullWith(StateId state, ZoneId zone, std::uint8_t most);
+
   [[nodiscard]] std::uint64_t bytes() const;
   /// Bytes that the next few steps may allocate at once, because a table is nearly full.
   [[nodiscard]] std::uint64_t growth() const;
@@ -79,6 +83,7 @@ private:
   Column links;  ///< by node: its number minus that of the next older node of the state; 0: none
   Column steps;  ///< by node: 1 + the step to it; 0 if it is not kept
   Bits subsumed; ///< nodes
+  std::vector<std::uint8_t> hulls; ///< by state: how many were made; used by hullWith only
   Parents parents;
 };
 
