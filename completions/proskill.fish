@@ -25,6 +25,7 @@ complete -c proskill -n '__fish_seen_subcommand_from conform' -s h -l help -d 'P
 complete -c proskill -n '__fish_seen_subcommand_from conform' -l tolerance -d 'Tolerance on the intervals of actions, in seconds (default 0)' -x
 complete -c proskill -n '__fish_seen_subcommand_from conform' -l learn -d 'Widen the intervals that actions did not keep, and show which verdicts change then'
 complete -c proskill -n '__fish_seen_subcommand_from conform' -l also -d 'With --learn: another recording to learn from; may be repeated' -x
+complete -c proskill -n '__fish_seen_subcommand_from conform' -l time-limit -d 'With --learn: time limit of the verifications in seconds (default 60); properties not decided by then are listed' -x
 complete -c proskill -n '__fish_seen_subcommand_from conform' -l color -d 'Colours; auto: on a terminal where NO_COLOR is not set (default auto)' -x -a 'auto always never'
 complete -c proskill -n '__fish_seen_subcommand_from conform' -ka '(__fish_complete_suffix .proskill)'
 complete -c proskill -n '__fish_seen_subcommand_from conform' -ka '(__fish_complete_suffix .fcr)'

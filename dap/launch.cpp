@@ -78,7 +78,11 @@ std::expected<std::string, std::string> textOf(const LaunchArguments& arguments,
   const auto file = disk::LargeFile::open(arguments.trace);
   if (!file) return disk.read(arguments.trace); // for its error
   const report::mcap::File recording{file->size(), file->reader()};
-  if (!recording.isMcap()) return disk.read(arguments.trace);
+  if (!recording.isMcap()) {
+    auto text = disk.read(arguments.trace);
+    if (!text) return std::unexpected(report::whyNotShown(recording, text.error()));
+    return text;
+  }
   auto part = report::traceOfPart(recording, {.from = arguments.from});
   if (!part) return std::unexpected(part.error());
   return std::move(part->text);

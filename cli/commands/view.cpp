@@ -53,6 +53,11 @@ partOfRecording(const std::string& path, std::optional<double> from) {
   return traceOfPart(recording, part);
 }
 
+std::string whyUnreadable(const std::filesystem::path& path, const std::string& reason) {
+  const auto file = disk::LargeFile::open(path);
+  return file ? report::whyNotShown({file->size(), file->reader()}, reason) : reason;
+}
+
 std::expected<std::unique_ptr<view::PanelData>, std::string>
 recordedRun(const std::string& file, const report::TraceOfPart& part) {
   if (part.isWhole) return view::savedReport(file, part.text);
@@ -78,7 +83,9 @@ std::expected<std::unique_ptr<view::PanelData>, std::string> dataOf(const ViewAr
     return recordedRun(arguments.file, **part);
   }
   const auto text = disk::DiskFileSystem().read(path);
-  if (!text) return std::unexpected("cannot read `" + arguments.file + "`: " + text.error());
+  if (!text)
+    return std::unexpected("cannot read `" + arguments.file +
+                           "`: " + whyUnreadable(path, text.error()));
   if (isRecorded(path, *text)) return view::savedReport(arguments.file, *text);
   verify::Limits limits;
   limits.seconds = arguments.timeLimit;

@@ -7,10 +7,11 @@
 #include "cli/terminal/exit_code.h"
 #include "cli/terminal/help.h"
 #include "cli/terminal/number.h"
-#include "disk/disk.h"
+#include "disk/large_file.h"
 #include "report/run/read_recording.h"
 #include "report/verify_report.h"
 #include "runtime/conform/conform.h"
+#include "runtime/conform/durations.h"
 #include "syntax/text/utf8.h"
 
 #include <CLI/CLI.hpp>
@@ -20,6 +21,7 @@
 #include <expected>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 namespace proskill::cli {
 
@@ -31,6 +33,7 @@ struct ConformArguments {
   double tolerance = 0; ///< in seconds
   bool learns = false;
   std::vector<std::string> more; ///< further recordings to learn from
+  double timeLimit = 60;         ///< of the verifications, in seconds
   ColourChoice colour = ColourChoice::Auto;
 };
 
@@ -40,23 +43,21 @@ std::string placeOf(const analysis::Program& program, const fiacre::Origin& what
 }
 
 /// The step where a recording deviates, or its end.
-std::string stepText(const analysis::Program& program, const runtime::RecordedRun& run,
-                     std::size_t number) {
-  if (number == run.steps.size()) return fmt::format("after step {}", number);
-  const auto& step = run.steps[number];
+std::string stepText(const analysis::Program& program, const runtime::ConformResult& result) {
+  if (!result.at) return fmt::format("after step {}", result.step);
+  const auto& step = *result.at;
   const auto date = static_cast<double>(step.date) / static_cast<double>(runtime::kSecond);
-  return fmt::format("{}step {}, at {:.9g} s: `{}` {}", placeOf(program, step.what), number + 1,
-                     date, step.what.actor, step.what.description);
+  return fmt::format("{}step {}, at {:.9g} s: `{}` {}", placeOf(program, step.what),
+                     result.step + 1, date, step.what.actor, step.what.description);
 }
 
-int say(const analysis::Program& program, const runtime::RecordedRun& run,
-        const runtime::ConformResult& result) {
+int sayVerdict(const analysis::Program& program, const runtime::ConformResult& result) {
   using runtime::Conformance;
   if (result.verdict == Conformance::Conforms) {
-    std::cout << fmt::format("the run conforms to the model: {} steps\n", run.steps.size());
+    std::cout << fmt::format("the run conforms to the model: {} steps\n", result.step);
     return kDone;
   }
-  std::cout << syntax::printable(stepText(program, run, result.step)) << '\n';
+  std::cout << syntax::printable(stepText(program, result)) << '\n';
   std::cout << (result.verdict == Conformance::Unknown ? "this cannot be decided: "
                                                        : "no run of the model explains it: ")
             << result.why << '\n';
@@ -64,34 +65,84 @@ int say(const analysis::Program& program, const runtime::RecordedRun& run,
   return result.verdict == Conformance::Unknown ? kInconclusive : kFound;
 }
 
-std::expected<runtime::RecordedRun, std::string>
-readRun(const std::string& path, const analysis::Program& program, std::string& main) {
-  const auto text = disk::DiskFileSystem().read(path);
-  if (!text) return std::unexpected("cannot read `" + path + "`: " + text.error());
-  auto run = report::readRecording(*text, program, main);
-  if (!run) return std::unexpected("`" + path + "` cannot be judged: " + run.error());
-  return run;
+/// What is done with a recorded run while it is read.
+class Reading final : public runtime::RunSink {
+public:
+  /// \param to learns from the run, unless it is null
+  Reading(const analysis::Program& of, runtime::Nanoseconds by, runtime::DurationsOfRuns* to)
+      : program(of), tolerance(by), durations(to) {}
+
+  bool onHead(const runtime::RecordedHead& head) override {
+    mainSkill = head.mainSkill;
+    if (durations) durations->beginRun();
+    judge = runtime::RunJudge::create(program, head, {.tolerance = tolerance});
+    return judge.has_value();
+  }
+  bool onStep(const runtime::RecordedStep& step) override {
+    if (durations) durations->step(step);
+    return (*judge)->step(step) || durations;
+  }
+  bool onCall(const runtime::RecordedCall& call) override {
+    return (*judge)->call(call) || durations;
+  }
+
+  std::string mainSkill;
+  std::expected<std::unique_ptr<runtime::RunJudge>, runtime::NotExecutable> judge;
+
+private:
+  const analysis::Program& program;
+  runtime::Nanoseconds tolerance;
+  runtime::DurationsOfRuns* durations;
+};
+
+/// Learns from a further run, which is not judged.
+class Learning final : public runtime::RunSink {
+public:
+  explicit Learning(runtime::DurationsOfRuns& to) : durations(to) {}
+
+  bool onHead(const runtime::RecordedHead&) override {
+    durations.beginRun();
+    return true;
+  }
+  bool onStep(const runtime::RecordedStep& step) override {
+    durations.step(step);
+    return true;
+  }
+  bool onCall(const runtime::RecordedCall&) override { return true; }
+
+private:
+  runtime::DurationsOfRuns& durations;
+};
+
+/// \return an error message, or nothing
+std::optional<std::string> readRun(const std::string& path, const analysis::Program& program,
+                                   runtime::RunSink& to) {
+  const auto file = disk::LargeFile::open(path);
+  if (!file) return "cannot read `" + path + "`: " + file.error();
+  const auto wrong = report::readRecording({file->size(), file->reader()}, program, to);
+  if (!wrong) return std::nullopt;
+  return "`" + path + "` cannot be judged: " + *wrong;
 }
 
 int runConform(const ConformArguments& arguments) {
   const auto program = loadChecked(arguments.file, arguments.colour);
   if (!program) return kFailed;
-  runtime::ConformOptions options;
-  const auto run = readRun(arguments.recording, *program, options.mainSkill);
-  if (!run) return fail(run.error());
-  options.tolerance = std::llround(arguments.tolerance * static_cast<double>(runtime::kSecond));
-  const auto result = runtime::conform(*program, *run, options);
-  if (!result) return failGeneration(*program, result.error());
-  const auto exitCode = say(*program, *run, *result);
+  const auto tolerance = std::llround(arguments.tolerance * static_cast<double>(runtime::kSecond));
+  runtime::DurationsOfRuns durations(*program);
+  auto* const learned = arguments.learns ? &durations : nullptr;
+  Reading run(*program, tolerance, learned);
+  if (const auto wrong = readRun(arguments.recording, *program, run)) return fail(*wrong);
+  if (!run.judge) return failGeneration(*program, run.judge.error());
+  const auto exitCode = sayVerdict(*program, (*run.judge)->result());
   if (!arguments.learns) return exitCode;
-  std::vector runs{*run};
   for (const auto& path : arguments.more) {
-    auto other = readRun(path, *program, options.mainSkill);
-    if (!other) return fail(other.error());
-    runs.push_back(std::move(*other));
+    Learning other(durations);
+    if (const auto wrong = readRun(path, *program, other)) return fail(*wrong);
   }
-  const auto learned = learn(*program, arguments.file, options.mainSkill, runs, arguments.colour);
-  return learned == kDone ? exitCode : learned;
+  const auto end = learn(
+      *program, arguments.file, durations.all(),
+      {.mainSkill = run.mainSkill, .seconds = arguments.timeLimit, .colour = arguments.colour});
+  return end == kDone ? exitCode : end;
 }
 
 } // namespace
@@ -120,6 +171,13 @@ void addConform(CLI::App& app, int& exitCode) {
            ->needs(learns)
            ->expected(1),
        group::kSubject, "RECORDING");
+  show(command
+           ->add_option("--time-limit", arguments->timeLimit,
+                        "With --learn: time limit of the verifications in seconds (default 60); "
+                        "properties not decided by then are listed")
+           ->needs(learns)
+           ->check(positiveSeconds()),
+       group::kLimits, "SECONDS");
   addColour(*command, arguments->colour);
   showBelow(*command,
             {"proskill conform run.json mission.proskill",

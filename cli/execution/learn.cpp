@@ -3,6 +3,7 @@
 #include "cli/output/checked_program.h"
 #include "cli/terminal/error.h"
 #include "cli/terminal/exit_code.h"
+#include "cli/terminal/progress.h"
 #include "disk/disk.h"
 #include "ide/verdicts/verification.h"
 #include "runtime/conform/durations.h"
@@ -11,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -43,9 +45,9 @@ std::string runsText(std::size_t count) {
 }
 
 std::vector<Widened> widenedIntervals(const analysis::Program& program,
-                                      const std::vector<runtime::RecordedRun>& runs) {
+                                      const DurationsBySkill& measured) {
   std::vector<Widened> all;
-  for (const auto& [skill, durations] : runtime::durationsOf(program, runs)) {
+  for (const auto& [skill, durations] : measured) {
     const auto* definition = program.skills.find(skill);
     const auto& declared = definition->node().timeInterval;
     if (!declared) continue;
@@ -88,60 +90,102 @@ struct Verified {
   std::vector<ide::VerdictRow> rows;
 };
 
-/// The error is an exit code.
+/// Verifies within a time. The error is an exit code.
 std::expected<std::unique_ptr<Verified>, int> verified(const analysis::Program& program,
-                                                       const std::string& main) {
+                                                       const std::string& main, double seconds) {
   auto model = codegen::generate(program, {.mainSkill = main});
   if (!model) return std::unexpected(failGeneration(program, model.error()));
   auto made = std::make_unique<Verified>();
   made->model = std::move(*model);
+  ProgressLine progress;
   verify::Options options;
-  options.limits = {.seconds = 60, .bytes = std::uint64_t{2} << 30, .classes = {}};
+  options.limits = {.seconds = seconds, .bytes = std::uint64_t{2} << 30, .classes = {}};
+  options.progress = progress.callback();
   auto report = ide::verifyModel(made->model, {}, options, {}, ide::kNoTraces);
   if (!report) return std::unexpected(failUnsupported(report.error()));
   made->rows = std::move(report->rows);
   return made;
 }
 
-void sayChanges(const Verified& before, const Verified& after, const std::vector<Widened>& edits,
-                report::Paint paint) {
+/// What the new intervals change. Only what is decided with both is compared.
+struct Comparison {
+  struct Changed {
+    const ide::VerdictRow* row = nullptr;
+    ide::Verdict before{};
+  };
+  std::vector<Changed> changed;
+  std::vector<const ide::VerdictRow*> undecided;
+};
+
+Comparison compared(const Verified& before, const Verified& after) {
+  constexpr auto kOpen = ide::Verdict::Inconclusive;
   std::map<std::string_view, ide::Verdict> known;
   for (const auto& row : before.rows) known.emplace(row.check->name, row.verdict);
-  std::vector<const ide::VerdictRow*> changed;
-  for (const auto& row : after.rows)
-    if (const auto found = known.find(row.check->name);
-        found != known.end() && found->second != row.verdict)
-      changed.push_back(&row);
-  std::string intervals;
+  Comparison made;
+  for (const auto& row : after.rows) {
+    const auto found = known.find(row.check->name);
+    if (found == known.end()) continue;
+    if (found->second == kOpen || row.verdict == kOpen)
+      made.undecided.push_back(&row);
+    else if (found->second != row.verdict)
+      made.changed.push_back({&row, found->second});
+  }
+  return made;
+}
+
+std::string intervalsText(const std::vector<Widened>& edits) {
+  std::string text;
   for (const auto& edit : edits)
-    intervals +=
-        fmt::format("{}{} for `{}`", intervals.empty() ? "" : " and ", edit.interval, edit.skill);
-  std::cout << fmt::format("with {} {} {}\n", syntax::printable(intervals),
-                           changed.empty() ? "no" : std::to_string(changed.size()),
-                           changed.size() == 1 ? "property changes" : "properties change");
-  for (const auto* row : changed)
-    std::cout << fmt::format("  {} {}: {} → {}\n",
-                             row->good() ? paint(report::Colour::Green, "✓")
-                                         : paint(report::Colour::Red, "✗"),
-                             syntax::printable(row->check->description),
-                             toString(known.at(row->check->name)), toString(row->verdict));
+    text += fmt::format("{}{} for `{}`", text.empty() ? "" : " and ", edit.interval, edit.skill);
+  return syntax::printable(text);
+}
+
+std::string propertiesText(std::size_t count, std::string_view none = "0") {
+  return fmt::format("{} {}", count == 0 ? std::string(none) : std::to_string(count),
+                     count == 1 ? "property" : "properties");
+}
+
+void sayChanges(const Comparison& comparison, const std::vector<Widened>& edits, double seconds,
+                report::Paint paint) {
+  const auto& [changed, undecided] = comparison;
+  std::cout << fmt::format("with {} {} {}\n", intervalsText(edits),
+                           propertiesText(changed.size(), "no"),
+                           changed.size() == 1 ? "changes" : "change");
+  for (const auto& [row, before] : changed)
+    std::cout << fmt::format(
+        "  {} {}: {} → {}\n",
+        row->good() ? paint(report::Colour::Green, "✓") : paint(report::Colour::Red, "✗"),
+        syntax::printable(row->check->description), toString(before), toString(row->verdict));
+  if (undecided.empty()) return;
+  std::cout << fmt::format("{} not decided in {:g} s (--time-limit):\n",
+                           undecided.size() == 1 ? "1 property was"
+                                                 : propertiesText(undecided.size()) + " were",
+                           seconds);
+  for (const auto* row : undecided)
+    std::cout << fmt::format("  ? {}\n", syntax::printable(row->check->description));
 }
 
 } // namespace
 
-int learn(const analysis::Program& program, const std::string& file, const std::string& mainSkill,
-          const std::vector<runtime::RecordedRun>& runs, ColourChoice colour) {
-  const auto edits = widenedIntervals(program, runs);
+int learn(const analysis::Program& program, const std::string& file,
+          const DurationsBySkill& measured, const LearnOptions& options) {
+  const auto edits = widenedIntervals(program, measured);
   if (edits.empty()) {
     std::cout << "every action kept its interval: there is nothing to learn\n";
     return kDone;
   }
+  std::cout.flush(); // before the verification, which may take long
   const auto other = edited(program, file, edits);
-  const auto before = verified(program, mainSkill);
+  const auto begin = std::chrono::steady_clock::now();
+  const auto before = verified(program, options.mainSkill, options.seconds / 2);
   if (!before) return before.error();
-  const auto after = verified(other, mainSkill);
+  const std::chrono::duration<double> used = std::chrono::steady_clock::now() - begin;
+  const auto after =
+      verified(other, options.mainSkill, std::max(0.0, options.seconds - used.count()));
   if (!after) return after.error();
-  sayChanges(**before, **after, edits, report::Paint{wantsColour(colour, STDOUT_FILENO)});
+  const auto comparison = compared(**before, **after);
+  sayChanges(comparison, edits, options.seconds,
+             report::Paint{wantsColour(options.colour, STDOUT_FILENO)});
   return kDone;
 }
 

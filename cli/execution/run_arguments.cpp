@@ -10,6 +10,14 @@ namespace proskill::cli {
 
 namespace {
 
+/// An empty name is mostly that of a variable of a shell which is not set.
+CLI::Validator namesFile() {
+  return {[](const std::string& name) {
+            return name.empty() ? std::string("the name of the file is empty") : std::string();
+          },
+          ""};
+}
+
 void addViewOptions(CLI::App& command, LiveViewArguments& view) {
   auto* on = command.add_flag(
       "--view", view.isOn,
@@ -75,14 +83,16 @@ void addRunOptions(CLI::App& command, RunArguments& arguments) {
       "--platform", arguments.platform,
       "Platform that performs the actions (JSON): a program, a library, ROS 1 or 2, or a "
       "simulation; default: the one that the program names by `defplatform`, else a simulation");
-  show(platform, group::kSubject, "FILE");
+  show(platform->check(namesFile()), group::kSubject, "FILE");
   show(command
            .add_flag("--no-platform", arguments.noPlatform,
                      "Simulate everything, although the program names a platform")
            ->excludes(platform),
        group::kSubject);
-  show(command.add_option("--script", arguments.script,
-                          "Script of a simulation (JSON): results, events, interrupts"),
+  show(command
+           .add_option("--script", arguments.script,
+                       "Script of a simulation (JSON): results, events, interrupts")
+           ->check(namesFile()),
        group::kSubject, "FILE");
   const auto isClock = [](const std::string& word) {
     return word == "simulated" || clockFactor(word)
@@ -115,9 +125,8 @@ void addRunOptions(CLI::App& command, RunArguments& arguments) {
       "--record", arguments.record,
       "Record the run in this file, as a trace that `proskill view` opens; a name that ends in "
       ".mcap: as MCAP, in .btlog: as a log of a behavior tree, for other tools. Default: nowhere "
-      "in "
-      "a simulation, otherwise a new file of the user");
-  show(record, group::kOutput, "FILE");
+      "in a simulation, otherwise a new file of the user");
+  show(record->check(namesFile()), group::kOutput, "FILE");
   show(command.add_flag("--no-record", arguments.noRecord, "Do not record the run of a robot")
            ->excludes(record),
        group::kOutput);

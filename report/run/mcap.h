@@ -4,6 +4,7 @@
 #include <expected>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -60,18 +61,8 @@ struct Summary {
 /// End of a file without summary.
 [[nodiscard]] std::string tail();
 
-/// What is read of a file.
-struct Content {
-  std::map<std::string, std::string> metadata; ///< by the name of its record: the first value
-  std::vector<std::string_view> messages;      ///< of the channel, in the order of the file
-};
-
 /// Whether a file is an MCAP file.
 [[nodiscard]] bool isMcap(std::string_view bytes);
-/// Reads the messages of a channel. A file that was cut off is read up to its last complete record.
-/// The error is a message. \param bytes outlive the result
-[[nodiscard]] std::expected<Content, std::string> read(std::string_view bytes,
-                                                       std::string_view topic);
 
 /// A file of which parts are read. Bytes after its end are not returned.
 struct File {
@@ -96,12 +87,20 @@ struct Stretch {
 
 /// Where the messages of a file are.
 struct Layout {
-  std::map<std::string, std::string> metadata;   ///< as in Content
+  std::map<std::string, std::string> metadata;   ///< by the name of its record: the first value
   std::map<std::string, std::uint16_t> channels; ///< by topic
   std::vector<Stretch> stretches;                ///< in the order of the file
 };
 /// Reads the summary of a file, or else the heads of its chunks. \pre it is an MCAP file
 [[nodiscard]] Layout layoutOf(const File& file);
+/// Reads the messages of a channel one by one, however large the file is. A file that was cut off
+/// is read up to its last complete record. \pre it is an MCAP file \param use gets each message, in
+/// the order of the file, and returns whether more is wanted \return an error message, or nothing
+[[nodiscard]] std::optional<std::string>
+readMessages(const File& file, std::string_view topic,
+             const std::function<bool(std::string_view message)>& use);
+/// Value of the metadata record with this name, wherever it is in the file; empty if there is none.
+[[nodiscard]] std::string metadataOf(const File& file, std::string_view name);
 /// The messages of a channel in the bytes of stretches. The error is a message.
 [[nodiscard]] std::expected<std::vector<std::string_view>, std::string>
 messagesIn(std::string_view bytes, std::uint16_t channel);

@@ -1,3 +1,4 @@
+#include "report/run/blocks.h"
 #include "report/run/mcap.h"
 #include "report/run/mcap_records.h"
 
@@ -10,30 +11,9 @@ namespace {
 constexpr std::uint64_t kFooterSize = kRecordHead + 8 + 8 + 4;
 constexpr std::uint64_t kBlock = 4'096;
 
-/// Bytes of a file, read in blocks.
-class Blocks {
-public:
-  explicit Blocks(const File& of) : file(of) {}
-
-  /// Some bytes; fewer at the end of the file. Valid until the next call.
-  std::string_view at(std::uint64_t place, std::uint64_t size) {
-    if (place < begin || place + size > begin + block.size()) {
-      begin = place;
-      block = place < file.size ? file.read(place, std::max(size, kBlock)) : "";
-    }
-    return std::string_view(block).substr(static_cast<std::size_t>(place - begin),
-                                          static_cast<std::size_t>(size));
-  }
-
-private:
-  const File& file;
-  std::uint64_t begin = 0;
-  std::string block;
-};
-
 class LayoutReader {
 public:
-  explicit LayoutReader(const File& of) : file(of), blocks(of) {}
+  explicit LayoutReader(const File& of) : file(of), blocks(of, kBlock) {}
 
   Layout read() {
     if (readSummary()) return std::move(layout);

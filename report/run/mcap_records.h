@@ -94,6 +94,15 @@ struct ChannelRecord {
   return {id, in.text()};
 }
 
+/// The content of a message, if it is of this channel.
+[[nodiscard]] inline std::optional<std::string_view> messageIn(std::string_view content,
+                                                               std::uint16_t channel) {
+  Cursor in(content);
+  if (in.number(2) != channel) return std::nullopt;
+  in.take(4 + 8 + 8); // sequence, and both times
+  return in.take(in.size());
+}
+
 /// Metadata with one entry, whose key does not matter.
 struct MetadataRecord {
   std::string_view name;

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "analysis/program/program.h"
+#include "report/run/mcap.h"
 #include "runtime/conform/recorded_run.h"
 
-#include <expected>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace proskill::report {
 
@@ -23,9 +25,10 @@ inline constexpr std::string_view kStatusSuffix = ".status";
 /// that is not possible. A recording has a step in each line.
 [[nodiscard]] std::string completed(std::string_view text);
 
-/// Reads a recording written by `runRecording` or `runMcap`. A truncated recording is read up to
-/// its last complete step. The error is a message. \param main receives the mission's name
-[[nodiscard]] std::expected<runtime::RecordedRun, std::string>
-readRecording(std::string_view text, const analysis::Program& program, std::string& main);
+/// Reads a recording written by `runRecording` or `runMcap`, step by step, so that its size does
+/// not matter. A truncated recording is read up to its last complete step. \return an error
+/// message, or nothing; `to` may have got a part of the run
+[[nodiscard]] std::optional<std::string>
+readRecording(const mcap::File& recording, const analysis::Program& program, runtime::RunSink& to);
 
 } // namespace proskill::report

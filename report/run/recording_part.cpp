@@ -116,4 +116,11 @@ std::expected<TraceOfPart, std::string> traceOfPart(const mcap::File& recording,
   }
 }
 
+std::string whyNotShown(const mcap::File& file, const std::string& reason) {
+  constexpr std::uint64_t kLarge = std::uint64_t{256} << 20;
+  if (file.size <= kLarge || file.read(0, 1) != "{") return reason;
+  return reason + "; long runs are shown in parts if they are recorded as MCAP (`--record "
+                  "run.mcap`), and `proskill conform` reads traces of any size";
+}
+
 } // namespace proskill::report

@@ -29,4 +29,8 @@ struct TraceOfPart {
 [[nodiscard]] std::expected<TraceOfPart, std::string> traceOfPart(const mcap::File& recording,
                                                                   const PartOfRun& part);
 
+/// Why a file is not shown, which cannot be read as a whole for this reason: with an advice, if it
+/// is a trace that is too large.
+[[nodiscard]] std::string whyNotShown(const mcap::File& file, const std::string& reason);
+
 } // namespace proskill::report

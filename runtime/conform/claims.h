@@ -2,19 +2,35 @@
 
 #include "runtime/conform/recorded_run.h"
 
+#include <map>
 #include <optional>
+#include <string>
 
 namespace proskill::runtime {
 
-/// What a recording claims besides its steps, and the program contradicts.
-struct Contradiction {
-  std::size_t step = 0; ///< the step of the claim, or the next one
-  std::string why;
-};
+/// Compares what a recording claims besides its steps with the program: initial values, messages,
+/// and the calls of actions. Each function returns why a claim is wrong.
+class Claims {
+public:
+  using Why = std::optional<std::string>;
 
-/// Compares the initial values, the messages, and the calls of actions of a recording with those of
-/// the program. \return the first contradiction
-[[nodiscard]] std::optional<Contradiction> contradiction(const Executable& executable,
-                                                         const RecordedRun& run);
+  /// \pre the executable outlives this
+  explicit Claims(const Executable& of) : executable(of) {}
+
+  [[nodiscard]] Why initial(const RecordedHead& head);
+  [[nodiscard]] Why step(const RecordedStep& step);
+  /// An action starts in a step of its skill, with arguments that some call gives.
+  [[nodiscard]] Why call(const RecordedCall& call) const;
+
+private:
+  [[nodiscard]] Why message(const RecordedStep& step) const;
+  [[nodiscard]] Why textOf(const std::vector<MessagePart>& message) const;
+  [[nodiscard]] Why textOf(const MessagePart& part) const;
+
+  const Executable& executable;
+  std::map<std::string, std::string> values; ///< by variable, before the step
+  std::string lastActor;                     ///< of the last step
+  std::optional<Nanoseconds> lastDate;       ///< nullopt: there is no step
+};
 
 } // namespace proskill::runtime

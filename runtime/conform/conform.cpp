@@ -34,26 +34,24 @@ public:
   Follower(const ConformanceModel& of, Nanoseconds by)
       : model(of), tolerance(by), simulator(of.system, 1), now{simulator.start()} {}
 
-  ConformResult follow(const RecordedRun& run) {
-    ConformResult result;
+  /// \return why no run explains the step, without its number
+  std::optional<ConformResult> follow(const RecordedStep& step) {
     try {
-      for (; result.step < run.steps.size(); ++result.step) {
-        const auto& step = run.steps[result.step];
-        if (noteStop(step)) continue;
-        if (stoppedLate(result, step)) return result;
-        auto before = waitUntil(step.date);
-        auto after = taken(before, step);
-        if (after.empty()) return explained(std::move(result), before, step);
-        now = std::move(after);
-        date = step.date;
-        asked.erase(step.what.actor);
-      }
+      if (noteStop(step)) return std::nullopt;
+      if (auto late = stoppedLate(step)) return late;
+      auto before = waitUntil(step.date);
+      auto after = taken(before, step);
+      if (after.empty()) return explained(before, step);
+      now = std::move(after);
+      date = step.date;
+      asked.erase(step.what.actor);
+      return std::nullopt;
     } catch (const TooMany&) {
-      result.verdict = Conformance::Unknown;
-      result.why = "too many runs of the model have these steps";
-      return result;
+      return ConformResult{.verdict = Conformance::Unknown,
+                           .at = {},
+                           .why = "too many runs of the model have these steps",
+                           .assumption = ""};
     }
-    return result;
   }
 
 private:
@@ -67,14 +65,15 @@ private:
   }
 
   /// An interrupt from outside might have come later: the recorded request gives its date.
-  bool stoppedLate(ConformResult& result, const RecordedStep& step) const {
+  [[nodiscard]] std::optional<ConformResult> stoppedLate(const RecordedStep& step) const {
     const auto stop = asked.find(step.what.actor);
-    if (stop == asked.end() || step.date - stop->second <= tolerance) return false;
+    if (stop == asked.end() || step.date - stop->second <= tolerance) return std::nullopt;
+    ConformResult result;
     result.verdict = Conformance::Deviates;
     result.why = fmt::format("`{}` has not stopped before", step.what.actor);
     result.assumption = fmt::format("an action stops at once; that of `{}` took {}",
                                     step.what.actor, secondsText(step.date - stop->second));
-    return true;
+    return result;
   }
 
   /// The states in which the model can reach a date. Steps that recordings do not contain may be
@@ -162,7 +161,8 @@ private:
   /// environment has done in between, no run of the model has these steps at these dates.
   enum class Broken : std::uint8_t { Interval, Other };
 
-  ConformResult explained(ConformResult result, const States& before, const RecordedStep& step) {
+  ConformResult explained(const States& before, const RecordedStep& step) {
+    ConformResult result;
     result.verdict = Conformance::Deviates;
     const auto broken =
         before.empty() ? explainLate(result, step) : explainStep(result, before, step);
@@ -268,21 +268,105 @@ private:
   verify::StepLog log;
 };
 
+class ModelJudge final : public RunJudge {
+public:
+  ModelJudge(std::unique_ptr<const Executable> run,
+             std::unique_ptr<const ConformanceModel> verified, const RecordedHead& head,
+             Nanoseconds tolerance)
+      : executed(std::move(run)),
+        model(std::move(verified)),
+        follower(*model, tolerance),
+        claims(*executed) {
+    note(claims.initial(head));
+  }
+
+  bool step(const RecordedStep& step) override {
+    if (isDecided) return false;
+    note(claims.step(step));
+    // a step that no run explains comes before a wrong claim in it
+    if (auto wrong = follower.follow(step)) end(std::move(*wrong));
+    if (wrongClaim) end(refuted());
+    if (isDecided)
+      verdict.at = step;
+    else
+      ++verdict.step;
+    return !isDecided;
+  }
+
+  /// A wrong call counts at the next step.
+  bool call(const RecordedCall& call) override {
+    if (!isDecided) note(claims.call(call));
+    return !isDecided;
+  }
+
+  [[nodiscard]] ConformResult result() const override {
+    if (isDecided || !wrongClaim) return verdict;
+    auto last = refuted();
+    last.step = verdict.step;
+    return last;
+  }
+
+private:
+  void note(std::optional<std::string> wrong) {
+    if (!wrongClaim) wrongClaim = std::move(wrong);
+  }
+  void end(ConformResult with) {
+    if (std::exchange(isDecided, true)) return;
+    with.step = verdict.step;
+    verdict = std::move(with);
+  }
+  [[nodiscard]] ConformResult refuted() const {
+    return {.verdict = Conformance::Deviates, .at = {}, .why = *wrongClaim, .assumption = ""};
+  }
+
+  std::unique_ptr<const Executable> executed;
+  std::unique_ptr<const ConformanceModel> model;
+  Follower follower;
+  Claims claims;
+  std::optional<std::string> wrongClaim; ///< the first one
+  bool isDecided = false;
+  ConformResult verdict;
+};
+
+/// Judges a run that is passed on from memory.
+class JudgeSink final : public RunSink {
+public:
+  JudgeSink(const analysis::Program& of, const ConformOptions& by) : program(of), options(by) {}
+
+  bool onHead(const RecordedHead& head) override {
+    judge = RunJudge::create(program, head, options);
+    return judge.has_value();
+  }
+  bool onStep(const RecordedStep& step) override { return (*judge)->step(step); }
+  bool onCall(const RecordedCall& call) override { return (*judge)->call(call); }
+
+  std::expected<std::unique_ptr<RunJudge>, NotExecutable> judge;
+
+private:
+  const analysis::Program& program;
+  const ConformOptions& options;
+};
+
 } // namespace
+
+std::expected<std::unique_ptr<RunJudge>, NotExecutable>
+RunJudge::create(const analysis::Program& program, const RecordedHead& head,
+                 const ConformOptions& options) {
+  auto executed = makeExecutable(program, head.mainSkill, head.environment);
+  if (!executed) return std::unexpected(std::move(executed.error()));
+  auto model =
+      conformanceModel(program, **executed, head.mainSkill, head.environment, options.tolerance);
+  if (!model) return std::unexpected(std::move(model.error()));
+  return std::make_unique<ModelJudge>(std::move(*executed), std::move(*model), head,
+                                      options.tolerance);
+}
 
 std::expected<ConformResult, NotExecutable>
 conform(const analysis::Program& program, const RecordedRun& run, const ConformOptions& options) {
-  const auto executed = makeExecutable(program, options.mainSkill, run.environment);
-  if (!executed) return std::unexpected(executed.error());
-  const auto model =
-      conformanceModel(program, **executed, options.mainSkill, run.environment, options.tolerance);
-  if (!model) return std::unexpected(model.error());
-  auto result = Follower(**model, options.tolerance).follow(run);
-  const auto wrong = contradiction(**executed, run);
-  if (!wrong || (result.verdict != Conformance::Conforms && result.step <= wrong->step))
-    return result;
-  return ConformResult{
-      .verdict = Conformance::Deviates, .step = wrong->step, .why = wrong->why, .assumption = ""};
+  JudgeSink sink(program, options);
+  (void)replay(run, sink);
+  if (!sink.judge) return std::unexpected(std::move(sink.judge.error()));
+  return (*sink.judge)->result();
 }
 
 } // namespace proskill::runtime

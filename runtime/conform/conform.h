@@ -2,6 +2,7 @@
 
 #include "runtime/conform/recorded_run.h"
 
+#include <memory>
 #include <optional>
 
 namespace proskill::runtime {
@@ -19,20 +20,38 @@ struct ConformResult {
   /// Deviates, Unknown: the first step that no run explains; the number of steps if what is
   /// recorded after them is wrong.
   std::size_t step = 0;
-  std::string why;        ///< the reason, for users
-  std::string assumption; ///< the assumption of the model that was violated, if known
+  std::optional<RecordedStep> at; ///< that step; nullopt if there is none
+  std::string why;                ///< the reason, for users
+  std::string assumption;         ///< the assumption of the model that was violated, if known
 };
 
 struct ConformOptions {
-  std::string mainSkill;
   /// How far actions and events may be outside their intervals.
   Nanoseconds tolerance = 0;
 };
 
-/// Follows a recorded run through all runs of the verified model that have the same steps at the
-/// same dates. Steps that a recording does not contain (watchdogs; the environment, unless it was
-/// executed) may happen in between. Initial values, messages and the calls of actions have to be
-/// those of the program.
+/// Follows a recorded run, while it is read, through all runs of the verified model that have the
+/// same steps at the same dates. Steps that a recording does not contain (watchdogs; the
+/// environment, unless it was executed) may happen in between. Initial values, messages and the
+/// calls of actions have to be those of the program. The memory does not grow with the run.
+class RunJudge {
+public:
+  /// \pre the program outlives it
+  [[nodiscard]] static std::expected<std::unique_ptr<RunJudge>, NotExecutable>
+  create(const analysis::Program& program, const RecordedHead& head, const ConformOptions& options);
+  RunJudge() = default;
+  RunJudge(const RunJudge&) = delete;
+  RunJudge& operator=(const RunJudge&) = delete;
+  virtual ~RunJudge() = default;
+
+  /// In the order of the recording. \return whether the verdict may still change
+  [[nodiscard]] virtual bool step(const RecordedStep& step) = 0;
+  [[nodiscard]] virtual bool call(const RecordedCall& call) = 0;
+  /// The verdict on what was read until now; where the run conforms, `step` is their number.
+  [[nodiscard]] virtual ConformResult result() const = 0;
+};
+
+/// Judges a run in memory.
 [[nodiscard]] std::expected<ConformResult, NotExecutable>
 conform(const analysis::Program& program, const RecordedRun& run, const ConformOptions& options);
 

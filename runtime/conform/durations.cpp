@@ -41,23 +41,15 @@ Nanoseconds rounded(Nanoseconds time, bool up) {
 
 } // namespace
 
-std::map<std::string, Durations> durationsOf(const analysis::Program& program,
-                                             const std::vector<RecordedRun>& runs) {
-  std::map<std::string, Durations> all;
-  for (const auto& run : runs) {
-    std::map<std::string, Nanoseconds> since;
-    for (const auto& step : run.steps) {
-      const auto* skill = program.skills.find(step.what.actor);
-      if (!step.stops.empty()) since.erase(step.stops);
-      if (!skill || (*skill)->isComposite()) continue;
-      if (step.what.description == "starts") since[step.what.actor] = step.date;
-      const auto begin = since.find(step.what.actor);
-      if (begin == since.end() || !isResult(step)) continue;
-      add(all[step.what.actor], step.date - begin->second);
-      since.erase(begin);
-    }
-  }
-  return all;
+void DurationsOfRuns::step(const RecordedStep& step) {
+  const auto* skill = program.skills.find(step.what.actor);
+  if (!step.stops.empty()) since.erase(step.stops);
+  if (!skill || (*skill)->isComposite()) return;
+  if (step.what.description == "starts") since[step.what.actor] = step.date;
+  const auto begin = since.find(step.what.actor);
+  if (begin == since.end() || !isResult(step)) return;
+  add(durations[step.what.actor], step.date - begin->second);
+  since.erase(begin);
 }
 
 std::string widened(const syntax::Interval& interval, const Durations& durations) {

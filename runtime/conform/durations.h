@@ -4,7 +4,6 @@
 
 #include <map>
 #include <string>
-#include <vector>
 
 namespace proskill::runtime {
 
@@ -15,9 +14,22 @@ struct Durations {
   std::size_t count = 0;
 };
 
-/// \return by skill; a skill whose action has never ended by itself is missing
-[[nodiscard]] std::map<std::string, Durations> durationsOf(const analysis::Program& program,
-                                                           const std::vector<RecordedRun>& runs);
+/// Collects the durations of actions while runs are read.
+class DurationsOfRuns {
+public:
+  /// \pre the program outlives this
+  explicit DurationsOfRuns(const analysis::Program& of) : program(of) {}
+
+  void beginRun() { since.clear(); }
+  void step(const RecordedStep& step);
+  /// By skill; a skill whose action has never ended by itself is missing.
+  [[nodiscard]] const std::map<std::string, Durations>& all() const { return durations; }
+
+private:
+  const analysis::Program& program;
+  std::map<std::string, Nanoseconds> since; ///< by skill: when its action has started
+  std::map<std::string, Durations> durations;
+};
 
 /// The interval of a skill, widened so that it includes durations: `[1,3.5]`. A bound that changes
 /// is rounded outwards to two digits. Empty if the interval includes them.

@@ -31,4 +31,15 @@ RecordedCall recorded(const Executable& executable, const Start& start, Nanoseco
   return made;
 }
 
+bool replay(const RecordedRun& run, RunSink& to) {
+  if (!to.onHead(run.head)) return false;
+  auto call = run.calls.begin();
+  for (std::size_t i = 0; i <= run.steps.size(); ++i) {
+    for (; call != run.calls.end() && call->after <= i; ++call)
+      if (!to.onCall(*call)) return false;
+    if (i < run.steps.size() && !to.onStep(run.steps[i])) return false;
+  }
+  return true;
+}
+
 } // namespace proskill::runtime

@@ -27,13 +27,37 @@ struct RecordedCall {
   std::vector<std::string> arguments;
 };
 
-/// A recorded run, without remarks other than the starts of actions.
-struct RecordedRun {
+/// What is known before a recorded run.
+struct RecordedHead {
+  std::string mainSkill;
   bool environment = false;            ///< the environment of the program was executed, too
   std::vector<verify::Change> initial; ///< in `after`; empty: not recorded
+};
+
+/// Receives a recorded run while it is read: its head, and then, in the order of the recording, its
+/// steps and the starts of its actions. Other remarks are not passed on.
+class RunSink {
+public:
+  RunSink() = default;
+  RunSink(const RunSink&) = delete;
+  RunSink& operator=(const RunSink&) = delete;
+  virtual ~RunSink() = default;
+
+  /// \return whether more is wanted, as of the others
+  [[nodiscard]] virtual bool onHead(const RecordedHead& head) = 0;
+  [[nodiscard]] virtual bool onStep(const RecordedStep& step) = 0;
+  [[nodiscard]] virtual bool onCall(const RecordedCall& call) = 0;
+};
+
+/// A recorded run in memory.
+struct RecordedRun {
+  RecordedHead head;
   std::vector<RecordedStep> steps;
   std::vector<RecordedCall> calls; ///< in the order of the recording
 };
+
+/// Passes on a run in memory. \return whether more was wanted
+[[nodiscard]] bool replay(const RecordedRun& run, RunSink& to);
 
 /// The machine's last step in this form.
 [[nodiscard]] RecordedStep recorded(const Executable& executable, const Machine& machine,

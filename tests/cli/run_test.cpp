@@ -259,6 +259,29 @@ TEST_CASE("conform learns intervals, and names the properties that change") {
   CHECK(kept.exitCode == 0);
 }
 
+TEST_CASE("conform lists what it could not decide with the intervals that it learnt") {
+  const auto late = kRunTree + "/docs/tour/late.json";
+  const auto done = test::run(
+      {PROSKILL_PROGRAM, "conform", "--learn", "--time-limit", "0.000001", late, kDockToRun});
+  INFO(done.out << done.err);
+  CHECK(done.exitCode == 1);
+  CHECK(done.out.find("with [2,6.2] for `drive_onto_dock` no properties change\n") !=
+        std::string::npos);
+  CHECK(done.out.find(" properties were not decided in 1e-06 s (--time-limit):\n") !=
+        std::string::npos);
+  CHECK(done.out.find("  ? `recharge` takes at most 25 s from its start\n") != std::string::npos);
+}
+
+TEST_CASE("an empty name of a file is an error, and nothing is run") {
+  for (const std::string option : {"--record", "--platform", "--script"}) {
+    const auto done = executed({option, "", kDockToRun});
+    INFO(option << "\n" << done.out << done.err);
+    CHECK(done.exitCode == 2);
+    CHECK(done.out.empty());
+    CHECK(done.err.find(option + ": the name of the file is empty") != std::string::npos);
+  }
+}
+
 TEST_CASE("what a run decides about the program's properties is reported, and decides its exit") {
   const auto watched = kRunTree + "/docs/tour/watched.proskill";
   const auto text = executed({watched});

@@ -1,6 +1,7 @@
 #include "report/run/read_recording.h"
 #include "runtime/conform/conform.h"
 #include "tests/embed/embedded.h"
+#include "tests/support/recorded.h"
 #include "tests/support/texts.h"
 
 #include <catch2/catch.hpp>
@@ -43,11 +44,10 @@ std::string contentOf(const std::string& path) {
 /// What the model makes of a recording: its number of steps, or why it is not a run.
 std::string judged(const std::string& bytes) {
   const auto program = test::programOfText(kFlies);
-  std::string main;
-  const auto run = report::readRecording(bytes, program, main);
-  if (!run) return run.error();
-  const auto result = runtime::conform(program, *run, {.mainSkill = main});
-  return result && result->why.empty() ? std::to_string(run->steps.size()) : result->why;
+  test::KeptRun kept;
+  if (const auto wrong = report::readRecording(test::fileOf(bytes), program, kept)) return *wrong;
+  const auto result = runtime::conform(program, kept.run, {});
+  return result && result->why.empty() ? std::to_string(kept.run.steps.size()) : result->why;
 }
 
 } // namespace

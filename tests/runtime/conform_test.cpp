@@ -16,8 +16,7 @@ namespace {
 
 runtime::ConformResult judged(const std::string& text, const runtime::RecordedRun& run,
                               runtime::Nanoseconds tolerance = 0) {
-  const auto result =
-      conform(test::programOfText(text), run, {.mainSkill = "", .tolerance = tolerance});
+  const auto result = conform(test::programOfText(text), run, {.tolerance = tolerance});
   if (!result) FAIL(result.error().message);
   return *result;
 }
@@ -140,7 +139,7 @@ TEST_CASE("an interval is broken, whatever an environment that was not executed 
     ((while true (^ [1,...[) (choose ((emit storm)) ((fly.interrupt)))))))";
   const auto judgedIn = [&](const std::string& script) {
     const auto ran = test::runOf(*test::executableOf(text, false), 0, script, "");
-    REQUIRE_FALSE(ran.recorded.environment);
+    REQUIRE_FALSE(ran.recorded.head.environment);
     return judged(text, ran.recorded);
   };
   CHECK(judgedIn(flight("2")).verdict == Conformance::Conforms);
@@ -206,9 +205,9 @@ TEST_CASE("a recording that claims what the program contradicts does not conform
     CHECK(result.verdict == Conformance::Deviates);
     return std::pair(result.step, result.why);
   };
-  CHECK(deviates([](auto& it) { it.initial[0].after = "4"; }) ==
+  CHECK(deviates([](auto& it) { it.head.initial[0].after = "4"; }) ==
         std::pair(std::size_t{0}, std::string("`parts` begins with `3`, not with `4`")));
-  CHECK(deviates([](auto& it) { it.initial.pop_back(); }).first == 0);
+  CHECK(deviates([](auto& it) { it.head.initial.pop_back(); }).first == 0);
   CHECK(deviates([](auto& it) { it.calls[0].arguments = {"9"}; }).first == run.calls[0].after);
   CHECK(deviates([](auto& it) { it.calls[0].date += 1; }).first == run.calls[0].after);
   const auto prints = std::ranges::find(run.steps, "3 parts", &runtime::RecordedStep::message);

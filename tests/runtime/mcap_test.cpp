@@ -2,6 +2,7 @@
 #include "report/run/recording_part.h"
 #include "report/run/run_report.h"
 #include "runtime/platform/simulated.h"
+#include "tests/support/recorded.h"
 #include "tests/support/texts.h"
 #include "tests/where.h"
 
@@ -13,6 +14,7 @@
 
 using namespace proskill;
 namespace mcap = report::mcap;
+using test::fileOf;
 
 namespace {
 
@@ -66,19 +68,18 @@ Written recordDrone(std::size_t chunkSize, std::uint64_t seed) {
 }
 
 std::vector<std::string> stepsIn(const std::string& file) {
-  const auto content = mcap::read(file, "/steps");
-  REQUIRE(content);
-  return {content->messages.begin(), content->messages.end()};
-}
-
-mcap::File inMemory(const std::string& file) {
-  return {file.size(), [&](std::uint64_t at, std::uint64_t size) {
-            return at < file.size() ? file.substr(at, size) : std::string();
-          }};
+  std::vector<std::string> steps;
+  const auto wrong = mcap::readMessages(fileOf(file), "/steps", [&](std::string_view step) {
+    steps.emplace_back(step);
+    return true;
+  });
+  INFO(wrong.value_or(""));
+  REQUIRE_FALSE(wrong);
+  return steps;
 }
 
 OrderedJson partOf(const std::string& file, const report::PartOfRun& part) {
-  const auto text = traceOfPart(inMemory(file), part);
+  const auto text = traceOfPart(fileOf(file), part);
   if (!text) FAIL(text.error());
   return OrderedJson::parse(text->text);
 }
@@ -190,9 +191,9 @@ TEST_CASE("a damaged recording is read, or is an error") {
           random() % 2 == 0 ? file.size() - 1 - random() % 1'000 : random() % file.size();
       file[at] = static_cast<char>(random());
     }
-    std::ignore = mcap::read(file, "/steps");
+    std::ignore = mcap::readMessages(fileOf(file), "/steps", [](auto) { return true; });
     for (const auto from : {std::optional<double>(), std::optional(5.0)})
-      readable += report::traceOfPart(inMemory(file), {.from = from, .bytes = 5'000}) ? 1 : 0;
+      readable += report::traceOfPart(fileOf(file), {.from = from, .bytes = 5'000}) ? 1 : 0;
   }
   CHECK(readable > kTimes / 2);
   CHECK(readable < 2 * kTimes);
@@ -205,7 +206,6 @@ TEST_CASE("chunks within chunks are an error, however deep") {
     chunk.size = std::uint64_t{49} * static_cast<std::uint64_t>(1'000'000 - i);
     deep += mcap::chunkHead(chunk);
   }
-  const auto read = mcap::read(deep, "/steps");
-  REQUIRE_FALSE(read);
-  CHECK(read.error() == "a chunk is within another");
+  const auto wrong = mcap::readMessages(fileOf(deep), "/steps", [](auto) { return true; });
+  CHECK(wrong == "a chunk is within another");
 }

@@ -1,8 +1,12 @@
 #include "report/run/read_recording.h"
+#include "report/run/recording_part.h"
+#include "tests/support/recorded.h"
 #include "tests/support/texts.h"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
+
+#include <algorithm>
 
 using namespace proskill;
 
@@ -11,12 +15,11 @@ namespace {
 /// What is read of a trace: its mission, and its steps and starts of actions; or the error.
 std::string readAs(const std::string& text) {
   const auto program = test::programOfText("(defskill m :body ((^ 1)))");
-  std::string main;
-  const auto run = report::readRecording(text, program, main);
-  if (!run) return run.error();
-  auto said = fmt::format("{}:", main);
-  for (const auto& step : run->steps) said += fmt::format(" {}@{}", step.what.actor, step.date);
-  for (const auto& call : run->calls)
+  test::KeptRun kept;
+  if (const auto wrong = report::readRecording(test::fileOf(text), program, kept)) return *wrong;
+  auto said = fmt::format("{}:", kept.run.head.mainSkill);
+  for (const auto& step : kept.run.steps) said += fmt::format(" {}@{}", step.what.actor, step.date);
+  for (const auto& call : kept.run.calls)
     said += fmt::format(" {}({}) after {}", call.skill, fmt::join(call.arguments, ","), call.after);
   return said;
 }
@@ -28,6 +31,76 @@ std::string step(const std::string& actor, int seconds, const std::string& more 
 std::string traceOf(const std::string& steps) {
   return R"({"verdict":"recorded","initial":{"steps":"1"},"steps":[)" + steps + R"(],"main":"m"})";
 }
+
+/// A step in the form of a recording.
+std::string recordedStep(const std::string& date, const std::string& before = "") {
+  return R"({)" + before + R"("actor":"m","date":{"exact":")" + date +
+         R"("},"delay":{"exact":"0"},"changes":[],"why":""})";
+}
+
+/// A file whose middle is repeated, of which no more than its parts are in memory.
+struct LongFile {
+  std::string begin;
+  std::string middle;
+  std::uint64_t times = 1;
+  std::uint64_t largestRead = 0;
+
+  report::mcap::File file() {
+    const auto size = begin.size() + times * middle.size();
+    return {size, [this, size](std::uint64_t at, std::uint64_t bytes) {
+              largestRead = std::max(largestRead, bytes);
+              std::string made;
+              for (const auto end = std::min(at + bytes, size); at + made.size() < end;)
+                made += partAt(at + made.size()).substr(0, end - at - made.size());
+              return made;
+            }};
+  }
+
+private:
+  [[nodiscard]] std::string_view partAt(std::uint64_t at) const {
+    if (at < begin.size()) return std::string_view(begin).substr(at);
+    return std::string_view(middle).substr((at - begin.size()) % middle.size());
+  }
+};
+
+constexpr std::uint64_t kStepsInMiddle = 5'000;
+constexpr std::string_view kHead = R"({"verdict":"recorded","main":"m")";
+
+LongFile longTrace() {
+  LongFile made{.begin = std::string(kHead) + ",\"steps\":[\n", .middle = ""};
+  for (std::uint64_t i = 0; i < kStepsInMiddle; ++i)
+    made.middle += recordedStep(std::to_string(i)) + ",\n";
+  return made;
+}
+
+LongFile longMcap() {
+  namespace mcap = report::mcap;
+  LongFile made;
+  mcap::addHead(made.begin);
+  mcap::addMetadata(made.begin, report::kTraceHead, "trace", std::string(kHead) + "}");
+  mcap::addChannel(made.begin, 1, 0, "/steps");
+  for (std::uint64_t i = 0; i < kStepsInMiddle; ++i)
+    mcap::addMessage(made.middle, 1, 0, i, recordedStep(std::to_string(i)));
+  mcap::Chunk chunk;
+  chunk.size = made.middle.size();
+  made.middle = mcap::chunkHead(chunk) + made.middle;
+  return made;
+}
+
+/// Counts steps.
+class Count final : public runtime::RunSink {
+public:
+  bool onHead(const runtime::RecordedHead&) override { return true; }
+  bool onStep(const runtime::RecordedStep& step) override {
+    sum += step.date / runtime::kSecond;
+    return ++steps != most;
+  }
+  bool onCall(const runtime::RecordedCall&) override { return true; }
+
+  std::uint64_t steps = 0;
+  std::uint64_t most = 0;
+  runtime::Nanoseconds sum = 0; ///< of the dates, in seconds
+};
 
 std::string nested(std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); }
 
@@ -58,4 +131,46 @@ TEST_CASE("what is no recording has an error") {
         "its values are nested too deeply");
   CHECK(readAs(nested(100'000)) == "its values are nested too deeply");
   CHECK(readAs("[]") == "it has no steps");
+}
+
+TEST_CASE("steps that say the same have dates of their own") {
+  const auto decoy = R"("x":{"y":0,"date":{"exact":"1"},"changes":[]},)";
+  CHECK(readAs(std::string(kHead) + ",\"steps\":[\n" + recordedStep("1") + ",\n" +
+               recordedStep("2.5") + ",\n" + recordedStep("1", decoy) + ",\n" +
+               recordedStep("4", decoy) + "\n]}\n") ==
+        "m: m@1000000000 m@2500000000 m@1000000000 m@4000000000");
+}
+
+TEST_CASE("a recording of any length is read in small parts, up to what is wanted") {
+  const auto program = test::programOfText("(defskill m :body ((^ 1)))");
+  for (auto recording : {longTrace(), longMcap()}) {
+    INFO(recording.begin);
+    recording.times = (std::uint64_t{16} << 20) / recording.middle.size();
+    Count all;
+    CHECK(report::readRecording(recording.file(), program, all).value_or("") == "");
+    CHECK(all.steps == recording.times * kStepsInMiddle);
+    CHECK(all.sum / (kStepsInMiddle - 1) == all.steps / 2);
+    CHECK(recording.largestRead <= std::uint64_t{1} << 20);
+    Count some;
+    some.most = 10;
+    CHECK(report::readRecording(recording.file(), program, some).value_or("") == "");
+    CHECK(some.steps == 10);
+  }
+}
+
+TEST_CASE("a long trace in another form is an error") {
+  const auto program = test::programOfText("(defskill m :body ((^ 1)))");
+  LongFile vast{.begin = "{\n", .middle = "  \n", .times = std::uint64_t{1} << 40};
+  Count all;
+  CHECK(report::readRecording(vast.file(), program, all) ==
+        "it is larger than 256 MiB, and does not have a step in each line");
+}
+
+TEST_CASE("a trace that is too large to be shown comes with an advice") {
+  auto vast = longTrace();
+  CHECK(report::whyNotShown(vast.file(), "no") == "no");
+  vast.times = 10'000;
+  CHECK(report::whyNotShown(vast.file(), "no").starts_with("no; long runs are shown in parts"));
+  vast.begin = "text";
+  CHECK(report::whyNotShown(vast.file(), "no") == "no");
 }

@@ -16,7 +16,7 @@ namespace {
 class Notes final : public runtime::Observer {
 public:
   Notes(const runtime::Executable& of, Ran& to) : executable(of), ran(to) {
-    ran.recorded.initial = runtime::initialValues(of);
+    ran.recorded.head.initial = runtime::initialValues(of);
   }
 
   void onStep(const runtime::Machine& machine, verify::TransitionId step, runtime::Nanoseconds date,
@@ -96,7 +96,7 @@ Ran runInRealTime(const runtime::Executable& executable, runtime::Platform& plat
 Ran runOf(const runtime::Executable& executable, runtime::Platform& platform, runtime::Clock& clock,
           runtime::RunOptions options) {
   Ran ran;
-  ran.recorded.environment = executable.model.hasEnvironment;
+  ran.recorded.head.environment = executable.model.hasEnvironment;
   Notes notes(executable, ran);
   ran.result = execute(executable, clock, platform, notes, options);
   return ran;
