@@ -93,7 +93,7 @@ _proskill_files() {
 _proskill_options() {
   case "$1" in
     check) echo '--help --fragment --style --fix --format --color' ;;
-    conform) echo '--help --tolerance --learn --also --time-limit --color' ;;
+    conform) echo '--help --tolerance --edited --learn --also --time-limit --color' ;;
     dap) echo '--help --port' ;;
     emit) echo '--help --main --output --expanded --prove --color --rate --goal --leaves --outcomes --sv-automata' ;;
     explain) echo '--help --list --markdown --color' ;;

@@ -23,6 +23,7 @@ complete -c proskill -n '__fish_seen_subcommand_from check' -ka '(__fish_complet
 complete -c proskill -n __fish_use_subcommand -a conform -d 'Check whether a recorded run is a run of the verified model'
 complete -c proskill -n '__fish_seen_subcommand_from conform' -s h -l help -d 'Print this help message and exit'
 complete -c proskill -n '__fish_seen_subcommand_from conform' -l tolerance -d 'Tolerance on the intervals of actions, in seconds (default 0)' -x
+complete -c proskill -n '__fish_seen_subcommand_from conform' -l edited -d 'Ignore where in the program steps are: it has been edited since the recording'
 complete -c proskill -n '__fish_seen_subcommand_from conform' -l learn -d 'Widen the intervals that actions did not keep, and show which verdicts change then'
 complete -c proskill -n '__fish_seen_subcommand_from conform' -l also -d 'With --learn: another recording to learn from; may be repeated' -x
 complete -c proskill -n '__fish_seen_subcommand_from conform' -l time-limit -d 'With --learn: time limit of the verifications in seconds (default 60); properties not decided by then are listed' -x

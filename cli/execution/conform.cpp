@@ -30,7 +30,8 @@ namespace {
 struct ConformArguments {
   std::string recording;
   std::string file;
-  double tolerance = 0; ///< in seconds
+  double tolerance = 0;  ///< in seconds
+  bool isEdited = false; ///< the program, since the recording
   bool learns = false;
   std::vector<std::string> more; ///< further recordings to learn from
   double timeLimit = 60;         ///< of the verifications, in seconds
@@ -61,6 +62,8 @@ int sayVerdict(const analysis::Program& program, const runtime::ConformResult& r
   std::cout << (result.verdict == Conformance::Unknown ? "this cannot be decided: "
                                                        : "no run of the model explains it: ")
             << result.why << '\n';
+  if (result.isElsewhere)
+    std::cout << "the program has been edited since: `--edited` ignores the places of steps\n";
   if (!result.assumption.empty()) std::cout << "broken assumption: " << result.assumption << '\n';
   return result.verdict == Conformance::Unknown ? kInconclusive : kFound;
 }
@@ -69,13 +72,14 @@ int sayVerdict(const analysis::Program& program, const runtime::ConformResult& r
 class Reading final : public runtime::RunSink {
 public:
   /// \param to learns from the run, unless it is null
-  Reading(const analysis::Program& of, runtime::Nanoseconds by, runtime::DurationsOfRuns* to)
-      : program(of), tolerance(by), durations(to) {}
+  Reading(const analysis::Program& of, const runtime::ConformOptions& by,
+          runtime::DurationsOfRuns* to)
+      : program(of), options(by), durations(to) {}
 
   bool onHead(const runtime::RecordedHead& head) override {
     mainSkill = head.mainSkill;
     if (durations) durations->beginRun();
-    judge = runtime::RunJudge::create(program, head, {.tolerance = tolerance});
+    judge = runtime::RunJudge::create(program, head, options);
     return judge.has_value();
   }
   bool onStep(const runtime::RecordedStep& step) override {
@@ -91,7 +95,7 @@ public:
 
 private:
   const analysis::Program& program;
-  runtime::Nanoseconds tolerance;
+  runtime::ConformOptions options;
   runtime::DurationsOfRuns* durations;
 };
 
@@ -130,7 +134,7 @@ int runConform(const ConformArguments& arguments) {
   const auto tolerance = std::llround(arguments.tolerance * static_cast<double>(runtime::kSecond));
   runtime::DurationsOfRuns durations(*program);
   auto* const learned = arguments.learns ? &durations : nullptr;
-  Reading run(*program, tolerance, learned);
+  Reading run(*program, {.tolerance = tolerance, .placesMatter = !arguments.isEdited}, learned);
   if (const auto wrong = readRun(arguments.recording, *program, run)) return fail(*wrong);
   if (!run.judge) return failGeneration(*program, run.judge.error());
   const auto exitCode = sayVerdict(*program, (*run.judge)->result());
@@ -161,6 +165,10 @@ void addConform(CLI::App& app, int& exitCode) {
                         "Tolerance on the intervals of actions, in seconds (default 0)")
            ->check(positiveSeconds()),
        group::kSubject, "SECONDS");
+  show(command->add_flag("--edited", arguments->isEdited,
+                         "Ignore where in the program steps are: it has been edited since the "
+                         "recording"),
+       group::kSubject);
   auto* learns = command->add_flag(
       "--learn", arguments->learns,
       "Widen the intervals that actions did not keep, and show which verdicts change then");

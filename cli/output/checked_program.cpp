@@ -4,6 +4,7 @@
 #include "cli/terminal/exit_code.h"
 #include "disk/disk.h"
 #include "ide/snapshot/fiacre_file.h"
+#include "report/run/mcap.h"
 #include "report/text/render.h"
 #include "report/text/source_place.h"
 #include "syntax/text/utf8.h"
@@ -24,6 +25,14 @@ bool isUndecided(const analysis::Program& program, analysis::Location error) {
   return error == first->at((*first)->name.range);
 }
 
+/// What a file is that is no program, and often named in the place of one; empty otherwise.
+std::string_view otherThanProgram(std::string_view text) {
+  if (report::mcap::isMcap(text)) return "a recording in MCAP";
+  const auto first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos || text[first] != '{') return "";
+  return "a file of JSON, such as a recording or a report";
+}
+
 } // namespace
 
 std::optional<analysis::Program> loadChecked(const std::string& root, ColourChoice colour,
@@ -38,6 +47,10 @@ std::optional<analysis::Program> loadChecked(const std::string& root, ColourChoi
   auto document = disk.document(root);
   if (!document) {
     fail("cannot read `" + root + "`: " + document.error());
+    return std::nullopt;
+  }
+  if (const auto what = otherThanProgram(document->text()); !what.empty()) {
+    fail("`" + root + "` is not a program, but " + std::string(what));
     return std::nullopt;
   }
   if (!added.empty())

@@ -46,16 +46,21 @@ Claims::Why Claims::call(const RecordedCall& call) const {
 }
 
 Claims::Why Claims::message(const RecordedStep& step) const {
-  const auto& origins = executable.model.provenance.origins;
-  for (const auto& [id, message] : executable.messages)
-    if (origins[id].actor == step.what.actor && origins[id].file == step.what.file &&
-        origins[id].begin == step.what.begin && origins[id].end == step.what.end) {
-      const auto text = textOf(message);
-      if (!text || step.message == text) return std::nullopt;
-      return fmt::format("this step prints \"{}\"", *text);
-    }
-  if (step.message.empty()) return std::nullopt;
+  Why wrong;
+  for (const auto& [id, message] : executable.messages) {
+    if (!isAt(executable.model.provenance.origins[id], step.what)) continue;
+    const auto text = textOf(message);
+    if (!text || step.message == text) return std::nullopt;
+    wrong = fmt::format("this step prints \"{}\"", *text);
+  }
+  if (wrong || step.message.empty()) return wrong;
   return "this step prints nothing";
+}
+
+bool Claims::isAt(const fiacre::Origin& origin, const fiacre::Origin& what) const {
+  if (origin.actor != what.actor) return false;
+  if (!placesMatter) return origin.description == what.description;
+  return origin.file == what.file && origin.begin == what.begin && origin.end == what.end;
 }
 
 /// A message with the values that the recording has; nullopt if it lacks one of them.

@@ -15,7 +15,8 @@ public:
   using Why = std::optional<std::string>;
 
   /// \pre the executable outlives this
-  explicit Claims(const Executable& of) : executable(of) {}
+  /// \param by whether messages have to be at the same places of the program
+  Claims(const Executable& of, bool by) : executable(of), placesMatter(by) {}
 
   [[nodiscard]] Why initial(const RecordedHead& head);
   [[nodiscard]] Why step(const RecordedStep& step);
@@ -24,10 +25,12 @@ public:
 
 private:
   [[nodiscard]] Why message(const RecordedStep& step) const;
+  [[nodiscard]] bool isAt(const fiacre::Origin& origin, const fiacre::Origin& what) const;
   [[nodiscard]] Why textOf(const std::vector<MessagePart>& message) const;
   [[nodiscard]] Why textOf(const MessagePart& part) const;
 
   const Executable& executable;
+  bool placesMatter;
   std::map<std::string, std::string> values; ///< by variable, before the step
   std::string lastActor;                     ///< of the last step
   std::optional<Nanoseconds> lastDate;       ///< nullopt: there is no step

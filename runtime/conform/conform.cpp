@@ -31,8 +31,8 @@ struct TooMany {};
 /// Keeps the set of states that the model can be in after the recorded steps.
 class Follower {
 public:
-  Follower(const ConformanceModel& of, Nanoseconds by)
-      : model(of), tolerance(by), simulator(of.system, 1), now{simulator.start()} {}
+  Follower(const ConformanceModel& of, const ConformOptions& by)
+      : model(of), options(by), simulator(of.system, 1), now{simulator.start()} {}
 
   /// \return why no run explains the step, without its number
   std::optional<ConformResult> follow(const RecordedStep& step) {
@@ -67,7 +67,7 @@ private:
   /// An interrupt from outside might have come later: the recorded request gives its date.
   [[nodiscard]] std::optional<ConformResult> stoppedLate(const RecordedStep& step) const {
     const auto stop = asked.find(step.what.actor);
-    if (stop == asked.end() || step.date - stop->second <= tolerance) return std::nullopt;
+    if (stop == asked.end() || step.date - stop->second <= options.tolerance) return std::nullopt;
     ConformResult result;
     result.verdict = Conformance::Deviates;
     result.why = fmt::format("`{}` has not stopped before", step.what.actor);
@@ -141,8 +141,9 @@ private:
     const auto& origins = model.model.provenance.origins;
     const bool says = std::ranges::any_of(log.origins, [&](fiacre::OriginId id) {
       const auto& it = origins[id];
-      return keyOf(it) == keyOf(step.what) && it.file == step.what.file &&
-             it.begin == step.what.begin && it.end == step.what.end;
+      const bool isThere =
+          it.file == step.what.file && it.begin == step.what.begin && it.end == step.what.end;
+      return keyOf(it) == keyOf(step.what) && (isThere || !options.placesMatter);
     });
     return says && changesAs(step, before, after);
   }
@@ -229,7 +230,7 @@ private:
       }
     if (endsWithoutResult(step))
       result.assumption = "an action ends with one of the results of its skill";
-    else if (isElsewhere(before, step))
+    else if ((result.isElsewhere = isElsewhere(before, step)))
       result.why = "in this program this step is at another place: the recording is of another "
                    "version of it";
     return Broken::Other;
@@ -259,7 +260,7 @@ private:
   }
 
   const ConformanceModel& model;
-  Nanoseconds tolerance;
+  ConformOptions options;
   verify::Simulator simulator;
   States now;
   States blocked; ///< states that could not wait until the last date
@@ -272,11 +273,11 @@ class ModelJudge final : public RunJudge {
 public:
   ModelJudge(std::unique_ptr<const Executable> run,
              std::unique_ptr<const ConformanceModel> verified, const RecordedHead& head,
-             Nanoseconds tolerance)
+             const ConformOptions& options)
       : executed(std::move(run)),
         model(std::move(verified)),
-        follower(*model, tolerance),
-        claims(*executed) {
+        follower(*model, options),
+        claims(*executed, options.placesMatter) {
     note(claims.initial(head));
   }
 
@@ -357,8 +358,7 @@ RunJudge::create(const analysis::Program& program, const RecordedHead& head,
   auto model =
       conformanceModel(program, **executed, head.mainSkill, head.environment, options.tolerance);
   if (!model) return std::unexpected(std::move(model.error()));
-  return std::make_unique<ModelJudge>(std::move(*executed), std::move(*model), head,
-                                      options.tolerance);
+  return std::make_unique<ModelJudge>(std::move(*executed), std::move(*model), head, options);
 }
 
 std::expected<ConformResult, NotExecutable>

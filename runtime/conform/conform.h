@@ -23,11 +23,14 @@ struct ConformResult {
   std::optional<RecordedStep> at; ///< that step; nullopt if there is none
   std::string why;                ///< the reason, for users
   std::string assumption;         ///< the assumption of the model that was violated, if known
+  bool isElsewhere = false;       ///< only the place of the step is wrong
 };
 
 struct ConformOptions {
   /// How far actions and events may be outside their intervals.
   Nanoseconds tolerance = 0;
+  /// Whether steps have to be at the same places of the program, which edits move.
+  bool placesMatter = true;
 };
 
 /// Follows a recorded run, while it is read, through all runs of the verified model that have the

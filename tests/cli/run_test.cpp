@@ -259,6 +259,39 @@ TEST_CASE("conform learns intervals, and names the properties that change") {
   CHECK(kept.exitCode == 0);
 }
 
+TEST_CASE("conform judges a recording of the program before an edit") {
+  const test::TemporaryDirectory files;
+  const std::string skills = "(defskill fly :time_interval [1,2] :action (fly))"
+                             "(defskill m :body ((fly)))";
+  const auto program = files.write("m.proskill", skills);
+  const auto recording = files.path("run.mcap");
+  executed({"--record", recording, program});
+  files.write("m.proskill", "; since today\n" + skills);
+  const auto strict = test::run({PROSKILL_PROGRAM, "conform", recording, program});
+  INFO(strict.out << strict.err);
+  CHECK(strict.exitCode == 1);
+  CHECK(strict.out.ends_with("`--edited` ignores the places of steps\n"));
+  CHECK(test::run({PROSKILL_PROGRAM, "conform", "--edited", recording, program}).exitCode == 0);
+}
+
+TEST_CASE("a recording in the place of a program is called one") {
+  const test::TemporaryDirectory files;
+  for (const std::string name : {"run.json", "run.mcap"}) {
+    const auto recording = files.path(name);
+    executed({"--record", recording, kDockToRun});
+    for (const std::string command : {"run", "verify", "conform"}) {
+      std::vector<std::string> line{PROSKILL_PROGRAM, command};
+      if (command == "conform") line.push_back(kDockToRun);
+      line.push_back(recording);
+      const auto done = test::run(line);
+      INFO(command << "\n" << done.out << done.err);
+      CHECK(done.exitCode == 2);
+      CHECK(done.err.find("is not a program, but a ") != std::string::npos);
+      CHECK(std::ranges::count(done.err, '\n') == 1);
+    }
+  }
+}
+
 TEST_CASE("conform lists what it could not decide with the intervals that it learnt") {
   const auto late = kRunTree + "/docs/tour/late.json";
   const auto done = test::run(

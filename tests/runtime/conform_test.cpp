@@ -131,6 +131,34 @@ TEST_CASE("a recording of another version of the program is called one") {
   CHECK(result.step == 0);
   CHECK(result.why == "in this program this step is at another place: the recording is of another "
                       "version of it");
+  CHECK(result.isElsewhere);
+}
+
+TEST_CASE("places of steps can be ignored, but nothing else") {
+  const auto printing = [](const std::string& before, const std::string& word) {
+    return before + "(defsv sky :states (Clear Stormy) :init Clear)" + R"(
+  (defskill fly :time_interval [2,5] :action (fly) :success there :failure lost)
+  (defskill mission :success done :body
+    ((fly) (printf ")" +
+           word + R"( %s" sky) (success done))))";
+  };
+  const auto executable = test::executableOf(printing("", "sees"), false);
+  const auto run = test::runOf(*executable, 0, flight("3")).recorded;
+  const auto edited = [&](const std::string& program) {
+    const auto result = conform(test::programOfText(program), run, {.placesMatter = false});
+    return result ? result->why : result.error().message;
+  };
+  CHECK(edited(printing("", "sees")).empty());
+  CHECK(edited(printing("; a comment\n", "sees")).empty());
+  CHECK_FALSE(edited(printing("", "saw")).empty());
+  auto other = run;
+  REQUIRE(!other.steps.empty());
+  for (auto& step : other.steps)
+    if (!step.message.empty()) step.message += "!";
+  const auto result =
+      conform(test::programOfText(printing("", "sees")), other, {.placesMatter = false});
+  REQUIRE(result);
+  CHECK(result->why == "this step prints \"sees Clear\"");
 }
 
 TEST_CASE("an interval is broken, whatever an environment that was not executed has done") {
