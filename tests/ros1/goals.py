@@ -95,6 +95,19 @@ class Goals(Case):
         until(lambda: f"ended {how.WAIT}" in self.log(), "the cancel")
         self.ends("its action has ended with the ROS adapter", "succeeds with `there`", code=1)
 
+    def test_a_second_mission_does_not_end_the_first(self):
+        self.fly(how.WAIT, STOP_AFTER)
+        self.sees(f"goal {how.WAIT}")
+        first, early = self.running, self.early
+        self.fails("a node `/proskill` runs already", "let `node` name another one here")
+        self.mission(FLY.format(how.SUCCEED), node="second")
+        self.begin()
+        self.ends("succeeds with `there`")
+        self.running, self.early = first, early
+        self.stop_when(f"goal {how.WAIT}")
+        self.ends("asks its action to stop")
+        self.no_faults()
+
     def adapter(self):
         found = subprocess.run(["ps", "-o", "pid=", "--ppid", str(self.running.pid)], capture_output=True, text=True)
         return int(found.stdout)

@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 import threading
 import time
+import xmlrpc.client
+from http.client import HTTPException
 from typing import Any
 
 import rosgraph
@@ -18,6 +20,18 @@ from proskill.ros.sensing import is_number
 from proskill.ros1.server import Server, quick
 
 _TICK = 0.05  # seconds between two looks for silent topics
+_LINGERS = 2.0  # seconds that a node may take to end after its run
+
+
+def _is_running(master: str, node: str) -> bool:
+    code, _, address = quick(master).lookupNode(node, node)
+    if code != 1:
+        return False
+    try:
+        quick(address).getPid(node)
+    except (OSError, HTTPException, xmlrpc.client.Error):
+        return False  # it was killed
+    return True
 
 
 class Adapter(adapter.Adapter):
@@ -44,8 +58,19 @@ class Adapter(adapter.Adapter):
         except OSError as error:
             raise adapter.Unfit(f"no ROS master answers at {uri} ({error}): start roscore, or set "
                                  "ROS_MASTER_URI") from None
+        self._take_name(uri, "/" + node)
         rospy.init_node(node, disable_signals=True)
         rospy.on_shutdown(self._on_shutdown)
+
+    @staticmethod
+    def _take_name(master: str, node: str) -> None:
+        """A node that takes a name ends the node that has it, perhaps in the middle of a mission. One whose run was
+        killed needs a moment to cancel its goals."""
+        end = time.monotonic() + _LINGERS
+        while _is_running(master, node):
+            if time.monotonic() > end:
+                raise adapter.Unfit(f"a node `{node}` runs already, perhaps of another mission: end it, or let `node` name another one here")
+            time.sleep(_TICK)
 
     def _performer(self, mapping: dict[str, Any]) -> Any:
         if mapping["kind"] == "action":
