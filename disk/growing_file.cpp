@@ -129,4 +129,10 @@ void GrowingFile::replace(std::uint64_t at, std::string_view bytes) const {
 
 void GrowingFile::sync() const { (void)fdatasync(descriptor); }
 
+std::optional<std::string> GrowingFile::lost() const {
+  struct stat found {};
+  if (!isBegun || fstat(descriptor, &found) != 0 || found.st_nlink > 0) return std::nullopt;
+  return path + " was removed or replaced during the run";
+}
+
 } // namespace proskill::disk

@@ -30,6 +30,8 @@ public:
   void replace(std::uint64_t at, std::string_view bytes) const;
   /// Waits until the disk has what was added.
   void sync() const;
+  /// Why no path leads to what was added: somebody has removed or replaced the file.
+  [[nodiscard]] std::optional<std::string> lost() const;
 
 private:
   explicit GrowingFile(std::string named) : path(std::move(named)) {}

@@ -54,6 +54,8 @@ public:
   std::optional<std::string> replace(std::uint64_t at, std::string_view bytes);
   /// Writes the rest. \return why the recording ended early, unless this was reported before
   std::optional<std::string> finish();
+  /// Why the recording cannot be found. \pre it is finished
+  [[nodiscard]] std::optional<std::string> lost() const { return file.lost(); }
 
 private:
   /// What is to be done with bytes.

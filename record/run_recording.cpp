@@ -55,6 +55,7 @@ void RunRecording::finish() {
   if (!run) return;
   run.reset(); // what it adds at its end is still recorded
   report(recorder.finish());
+  if (const auto lost = recorder.lost()) complain(*lost + ": the recording is lost");
 }
 
 } // namespace proskill::record

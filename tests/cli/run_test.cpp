@@ -274,6 +274,24 @@ TEST_CASE("conform judges a recording of the program before an edit") {
   CHECK(test::run({PROSKILL_PROGRAM, "conform", "--edited", recording, program}).exitCode == 0);
 }
 
+TEST_CASE("a recording that somebody removes or replaces during the run is missed") {
+  const test::TemporaryDirectory files;
+  const auto path = files.path("run.mcap");
+  const auto waits = files.write("waits.proskill", "(defskill m :body ((^ 0.2)))");
+  for (const bool isReplaced : {false, true}) {
+    const auto done = test::run(
+        {PROSKILL_PROGRAM, "run", "--clock", "real", "--record", path, "--format", "json", waits},
+        {.onOutput = [&](int) {
+          std::filesystem::remove(path);
+          if (isReplaced) files.write("run.mcap", "of another run");
+        }});
+    INFO(done.out << done.err);
+    CHECK(done.exitCode == 2);
+    CHECK(done.err.find(path + " was removed or replaced during the run: the recording is lost") !=
+          std::string::npos);
+  }
+}
+
 TEST_CASE("a recording in the place of a program is called one") {
   const test::TemporaryDirectory files;
   for (const std::string name : {"run.json", "run.mcap"}) {
