@@ -25,7 +25,7 @@ bool isUndecided(const analysis::Program& program, analysis::Location error) {
   return error == first->at((*first)->name.range);
 }
 
-/// What a file is that is no program, and often named in the place of one; empty otherwise.
+/// What a file is that is often named in the place of a program; empty otherwise.
 std::string_view otherThanProgram(std::string_view text) {
   if (report::mcap::isMcap(text)) return "a recording in MCAP";
   const auto first = text.find_first_not_of(" \t\r\n");
