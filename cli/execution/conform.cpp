@@ -7,6 +7,7 @@
 #include "cli/terminal/exit_code.h"
 #include "cli/terminal/help.h"
 #include "cli/terminal/number.h"
+#include "cli/terminal/progress.h"
 #include "disk/large_file.h"
 #include "report/run/read_recording.h"
 #include "report/verify_report.h"
@@ -22,6 +23,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace proskill::cli {
 
@@ -123,7 +125,16 @@ std::optional<std::string> readRun(const std::string& path, const analysis::Prog
                                    runtime::RunSink& to) {
   const auto file = disk::LargeFile::open(path);
   if (!file) return "cannot read `" + path + "`: " + file.error();
-  const auto wrong = report::readRecording({file->size(), file->reader()}, program, to);
+  ProgressLine progress;
+  std::uint64_t shown = 0;
+  const auto read = [&](std::uint64_t at, std::uint64_t bytes) {
+    constexpr std::uint64_t kPart = std::uint64_t{64} << 20;
+    if (at / kPart != std::exchange(shown, at / kPart))
+      progress.say(
+          fmt::format("reading `{}`: {} of {} MB", path, at / 1'000'000, file->size() / 1'000'000));
+    return file->read(at, bytes);
+  };
+  const auto wrong = report::readRecording({file->size(), read}, program, to);
   if (!wrong) return std::nullopt;
   return "`" + path + "` cannot be judged: " + *wrong;
 }
