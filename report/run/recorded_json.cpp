@@ -53,6 +53,16 @@ std::optional<Dated> datedIn(std::string_view step) {
   return Dated{.begin = begin, .end = end, .date = *date};
 }
 
+/// What follows the dates, but for how late the step was, which is not read.
+std::string_view withoutLag(std::string_view rest) {
+  constexpr std::string_view kLag = ",\"lag\":";
+  const auto at = rest.rfind(kLag);
+  if (at == std::string_view::npos || !rest.ends_with('}')) return rest;
+  const auto number = rest.substr(at + kLag.size(), rest.size() - 1 - at - kLag.size());
+  const bool isLast = number.find_first_not_of("0123456789.e+-") == std::string_view::npos;
+  return isLast ? rest.substr(0, at) : rest;
+}
+
 /// Whether what follows the beginning of a text of JSON is a member of its outermost object.
 bool isOutermost(std::string_view beginning) {
   int depth = 0;
@@ -139,7 +149,7 @@ bool StepReader::pass(Entry& entry, runtime::RunSink& to) {
 std::optional<bool> StepReader::pass(std::string_view step, runtime::RunSink& to) {
   const auto dated = datedIn(step);
   if (dated) {
-    key.assign(step.substr(0, dated->begin)).append(step.substr(dated->end));
+    key.assign(step.substr(0, dated->begin)).append(withoutLag(step.substr(dated->end)));
     if (const auto known = entries.find(key); known != entries.end()) {
       setDate(known->second, dated->date);
       return pass(known->second, to);

@@ -139,6 +139,14 @@ TEST_CASE("steps that say the same have dates of their own") {
                recordedStep("2.5") + ",\n" + recordedStep("1", decoy) + ",\n" +
                recordedStep("4", decoy) + "\n]}\n") ==
         "m: m@1000000000 m@2500000000 m@1000000000 m@4000000000");
+  const auto late = [](const std::string& date, const std::string& lag) {
+    auto text = recordedStep(date);
+    text.pop_back();
+    return text + R"(,"lag":)" + lag + "},\n";
+  };
+  CHECK(readAs(std::string(kHead) + ",\"steps\":[\n" + late("1", "0.5") + late("2", "0.25") +
+               late("3", R"(1,"remark":"note")") + late("4", "1e-9") + "]}\n") ==
+        "m: m@1000000000 m@2000000000 m@4000000000");
 }
 
 TEST_CASE("a recording of any length is read in small parts, up to what is wanted") {
