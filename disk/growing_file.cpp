@@ -84,6 +84,7 @@ GrowingFile::GrowingFile(GrowingFile&& other) noexcept
       replacement(std::move(other.replacement)),
       earlierSize(other.earlierSize),
       isBegun(other.isBegun),
+      wasNamed(other.wasNamed),
       length(other.length),
       lastEnd(std::move(other.lastEnd)) {}
 
@@ -94,7 +95,7 @@ GrowingFile::~GrowingFile() {
 std::optional<std::string> GrowingFile::add(std::string_view bytes, std::string_view end) {
   if (const int error = isBegun ? append(bytes, end) : begin(bytes, end))
     return notWritten(path, error);
-  isBegun = true;
+  if (!std::exchange(isBegun, true)) wasNamed = isNamed();
   length += static_cast<std::int64_t>(bytes.size());
   lastEnd = end;
   return std::nullopt;
@@ -130,9 +131,14 @@ void GrowingFile::replace(std::uint64_t at, std::string_view bytes) const {
 void GrowingFile::sync() const { (void)fdatasync(descriptor); }
 
 std::optional<std::string> GrowingFile::lost() const {
-  struct stat found {};
-  if (!isBegun || fstat(descriptor, &found) != 0 || found.st_nlink > 0) return std::nullopt;
+  if (!wasNamed || isNamed()) return std::nullopt;
   return path + " was removed or replaced during the run";
+}
+
+/// Whether a path leads to the file. A file in memory never had one.
+bool GrowingFile::isNamed() const {
+  struct stat found {};
+  return fstat(descriptor, &found) == 0 && found.st_nlink > 0;
 }
 
 } // namespace proskill::disk

@@ -36,6 +36,7 @@ public:
 private:
   explicit GrowingFile(std::string named) : path(std::move(named)) {}
 
+  [[nodiscard]] bool isNamed() const;
   [[nodiscard]] int open();
   [[nodiscard]] int openBeside(const struct stat* earlier);
   [[nodiscard]] int openInPlace();
@@ -47,6 +48,7 @@ private:
   std::unique_ptr<Replacement> replacement; ///< of an earlier file, until that is replaced
   std::optional<std::int64_t> earlierSize;  ///< of a file that is overwritten in place
   bool isBegun = false;
+  bool wasNamed = false;
   std::int64_t length = 0; ///< without its end
   std::string lastEnd;
 };

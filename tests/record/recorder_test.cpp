@@ -7,6 +7,7 @@
 #include <fstream>
 #include <mutex>
 #include <sstream>
+#include <sys/mman.h>
 #include <sys/syscall.h>
 #include <sys/uio.h>
 #include <thread>
@@ -109,6 +110,24 @@ TEST_CASE("in real time a step after a pause is written at once, and those after
   CHECK(recorder.finish() == std::nullopt);
   CHECK(slow.writes < before + kSteps / 10);
   CHECK(recording(path).size() == std::string("[0,1]").size() + kSteps * 2);
+}
+
+TEST_CASE("a file is lost that had a name and has none any more") {
+  const test::TemporaryDirectory files;
+  const auto path = files.path("run.json");
+  Recorder recorder(std::move(*disk::GrowingFile::create(path)), RunTime::Real);
+  CHECK_FALSE(recorder.add("[", "]"));
+  CHECK_FALSE(recorder.lost());
+  unlink(path.c_str());
+  CHECK_FALSE(recorder.finish());
+  CHECK(recorder.lost() == path + " was removed or replaced during the run");
+  const int memory = memfd_create("recording", MFD_CLOEXEC);
+  Recorder unnamed(std::move(*disk::GrowingFile::create("/proc/self/fd/" + std::to_string(memory))),
+                   RunTime::Real);
+  CHECK_FALSE(unnamed.add("[", "]"));
+  CHECK_FALSE(unnamed.finish());
+  CHECK_FALSE(unnamed.lost());
+  close(memory);
 }
 
 TEST_CASE("a part of a recording is replaced after it was written, and before what follows") {
