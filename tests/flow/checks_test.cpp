@@ -129,6 +129,41 @@ TEST_CASE("Two branches set the same variable, by what they call too") {
   });
 }
 
+TEST_CASE("Branches may count together") {
+  // The order of sums does not matter, but that of a sum and a value does.
+  expectAllTold({
+      {R"((defsv n :init 0 :min 0 :max 9)
+(defskill m :body ((// ((^ 1) (set (n (+ n 1)))) ((^ 2) (set (n (+ 2 n))))))))"},
+      {R"((defsv n :init 0 :min 0 :max 9)
+(defskill m :body ((// ((^ 1) (set (n (+ n 1)))) ((^ 2) [[(set (n 5))]])))))",
+       "PS0902"},
+  });
+}
+
+TEST_CASE("A natural that each branch counts up once stays in its range") {
+  const auto program = [](const char* most, const char* body) {
+    return std::string("(defsv n :init 0 :min 0 :max ") + most +
+           ")\n(defskill s :action (s) :success done :failure bad)\n"
+           "(defskill t :action (t))\n(defskill m :body (" +
+           body + "))";
+  };
+  // Each branch counts once on each of its paths, in each round.
+  const char* two = "(while true (set (n 0)) (// ((s) (if (= s.status failure) (set (n (+ n 1))) "
+                    "(goto end)) (set (n (+ n 1))) (label end)) ((t) (set (n (+ n 1))))) (^ 1))";
+  CHECK(codes(program("2", two)).empty());
+  CHECK(codes(program("1", two)) == "PS0505PS0505PS0505");
+  // The branches of a branch count for it.
+  CHECK(codes(program("2", "(set (n 0)) (// ((// ((s) (if (= s.status success) (set (n (+ n 1))))) "
+                           "((^ 1) (set (n (+ n 1)))))) ((t)))"))
+            .empty());
+  // It is not set before each round.
+  CHECK(codes(program("2", "(set (n 0)) (while true (// ((^ 1) (set (n (+ n 1)))) ((t))) (^ 1))")) ==
+        "PS0610PS0505"); // and the loop never ends
+  // A branch counts in a loop.
+  CHECK(codes(program("9", "(set (n 0)) (// ((while true (^ 1) (set (n (+ n 1))))) ((t)))")) ==
+        "PS0610PS0505");
+}
+
 TEST_CASE("A resource is asked for beyond its capacity") {
   expectAllTold({
       {R"((defresource arm)

@@ -11,6 +11,7 @@ namespace {
 struct Written {
   Location at;
   bool locked = false; ///< set by test-and-set, like a lock
+  bool counts = true;  ///< only counted up or down: the order does not matter
 };
 using Writes = std::map<VariableId, Written>;
 
@@ -63,8 +64,9 @@ private:
   static void add(const Action& action, Location at, Writes& writes) {
     for (const Assignment& each : action.assignments) {
       if (!each.source) continue;
-      Written& written = writes.try_emplace(each.variable, Written{at, false}).first->second;
+      Written& written = writes.try_emplace(each.variable, Written{at}).first->second;
       written.locked |= reads(action, each.slot);
+      written.counts &= stepOf(each).has_value();
     }
   }
 
@@ -72,6 +74,7 @@ private:
     for (const auto& [variable, written] : second) {
       auto other = first.find(variable);
       if (other == first.end() || (written.locked && other->second.locked)) continue;
+      if (written.counts && other->second.counts) continue;
       if (report.disputed.contains(variable)) continue;
       report.findings
           .report(syntax::Code::BranchesSetSame, written.at, report.variables().name(variable))

@@ -1,4 +1,5 @@
 #include "analysis/flow/checks/checks.h"
+#include "analysis/flow/result/counters.h"
 #include "analysis/flow/result/origins.h"
 #include "syntax/diagnostics/codes.h"
 
@@ -54,7 +55,8 @@ public:
     }
     for (const Assigned* assigned : told) reportForbidden(*assigned);
     for (const Assigned* assigned : inOrder)
-      if (assigned->fallsShort || assigned->overshoots) reportRange(*assigned);
+      if (assigned->fallsShort || (assigned->overshoots && !staysBelow(assigned->variable)))
+        reportRange(*assigned);
   }
 
 private:
@@ -209,6 +211,12 @@ private:
                                    report.variables().words(id, to));
     syntax::Offset end = definition->transitions.back().range.end;
     finding.fix(fmt::format("allow the move {}", pair), definition.at({end, end}), " " + pair);
+  }
+
+  /// Whether the natural counts something whose number is within its range.
+  [[nodiscard]] bool staysBelow(VariableId variable) const {
+    const auto most = mostCounted(report.system(), variable);
+    return most && *most <= report.variables()[variable].domain.max();
   }
 
   void reportRange(const Assigned& it) {

@@ -14,6 +14,9 @@ struct Assignment {
   const syntax::Effect* source = nullptr; ///< in the text
 };
 
+/// The constant that an assignment adds to its own variable; nullopt: it does something else.
+[[nodiscard]] std::optional<std::int64_t> stepOf(const Assignment& assignment);
+
 /// The effect of an assignment on a variable whose value is in the class `from`.
 struct Move {
   unsigned from = 0;
