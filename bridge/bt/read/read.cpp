@@ -89,10 +89,20 @@ private:
       forest.hasFormat = false;
     else if (*format != "4")
       fail(root, "`BTCPP_format` must be 3 or 4");
+    texts(root);
     for (const auto& element : root.children)
       if (element.name != "BehaviorTree" && element.name != "TreeNodesModel" &&
           element.name != "include")
         fail(element, fmt::format("`{}` is not allowed here", element.name));
+  }
+
+  /// BehaviorTree.CPP ignores texts, which are descriptions in models and elsewhere mostly typing
+  /// errors.
+  void texts(const Element& element) {
+    if (element.text)
+      forest.notes.push_back({*element.text, "a text between elements has no effect"});
+    for (const auto& child : element.children)
+      if (child.name != "TreeNodesModel") texts(child);
   }
 
   void declarations(const Element& root) {
@@ -107,8 +117,7 @@ private:
     const auto* id = model.attribute("ID");
     if (id == nullptr || id->empty()) return fail(model, "a model needs an attribute `ID`");
     if (builtIn(*id) != nullptr) return;
-    for (const auto& port : model.children)
-      if (const auto* name = port.attribute("name")) forest.ports[*id].insert(*name);
+    for (const auto& port : model.children) declarePort(*id, port);
     if (model.name == "Action")
       forest.declared.emplace(*id, Kind::Action);
     else if (model.name == "Condition")
@@ -117,6 +126,15 @@ private:
       forest.declared.emplace(*id, Kind::SubTree);
     else if (model.name != "Control" && model.name != "Decorator")
       fail(model, fmt::format("`{}` is not allowed in `TreeNodesModel`", model.name));
+  }
+
+  void declarePort(const std::string& type, const Element& port) {
+    const auto* name = port.attribute("name");
+    if (name == nullptr) return;
+    const auto* byDefault = port.attribute("default");
+    forest.ports[type].emplace(*name, PortModel{.isInput = port.name != "output_port",
+                                                .isOutput = port.name != "input_port",
+                                                .byDefault = byDefault ? *byDefault : ""});
   }
 
   /// A tree may be used before it is defined. \return its name, as BehaviorTree.CPP gives one

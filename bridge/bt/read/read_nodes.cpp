@@ -1,6 +1,7 @@
 #include "bridge/bt/read/read_nodes.h"
 
 #include "bridge/bt/read/script.h"
+#include "syntax/diagnostics/suggest.h"
 
 #include <fmt/format.h>
 
@@ -47,11 +48,18 @@ bool isOfVersion3(std::string_view key) {
   return key == "__shared_blackboard" || key == "__autoremap";
 }
 
-/// The type of a control node or a decorator may be in its attribute `ID`.
+/// The type of a node: the name of its element, or its `ID` in the explicit form. Actions and
+/// conditions have one of their own there, unless it is of a node that is built in.
 const std::string& tag(const Element& element) {
   const auto* id = element.attribute("ID");
-  const bool isExplicit = element.name == "Control" || element.name == "Decorator";
-  return isExplicit && id != nullptr ? *id : element.name;
+  if (id == nullptr) return element.name;
+  if (element.name == "Control" || element.name == "Decorator") return *id;
+  const bool isLeaf = element.name == "Action" || element.name == "Condition";
+  const auto* known = isLeaf ? builtIn(*id) : nullptr;
+  // Conditions of Nav2 are no part of BehaviorTree.CPP: another action may have the name of one.
+  const bool isOfOthers = known != nullptr && known->kind == Kind::Condition &&
+                          *id != "ScriptCondition" && *id != "WasEntryUpdated";
+  return known != nullptr && !isOfOthers ? *id : element.name;
 }
 
 /// Why a control node or a decorator cannot be read as any one of its author; null: it can.
@@ -78,6 +86,7 @@ Node NodeReader::node(const Element& element) {
   Node node{.name = {}, .place = element.place};
   attributes(element, node);
   classify(element, node);
+  defaultPorts(node);
   for (const auto& child : element.children) node.children.push_back(this->node(child));
   return node;
 }
@@ -89,7 +98,7 @@ void NodeReader::attributes(const Element& element, Node& node) {
     if (tag(element).starts_with("SubTree") && isOfVersion3(key))
       node.ports.emplace(key.substr(1), value);
     else if (key.starts_with('_') && !isScript && !isAmong(kReserved, key))
-      fail(element, fmt::format("`{}` is not an attribute of BehaviorTree.CPP", key));
+      withoutEffect(element, key);
     else if (key == "ID")
       node.id = value;
     else if (key == "name")
@@ -97,6 +106,16 @@ void NodeReader::attributes(const Element& element, Node& node) {
     else if (key != "_fullpath" && key != "_uid")
       node.ports.emplace(key, value);
   }
+}
+
+/// BehaviorTree.CPP ignores such attributes. Editors of trees use some; others are typing errors.
+void NodeReader::withoutEffect(const Element& element, const std::string& key) {
+  auto message = fmt::format("`{}` is not an attribute of BehaviorTree.CPP", key);
+  if (const auto meant = syntax::nearest(key, kScripts); !meant.empty())
+    return fail(element, fmt::format("{}; did you mean `{}`?", message, meant));
+  message += ", and has no effect";
+  if (std::ranges::find(forest.notes, message, &Note::message) == forest.notes.end())
+    forest.notes.push_back({element.place, std::move(message)});
 }
 
 void NodeReader::classify(const Element& element, Node& node) {
@@ -151,6 +170,27 @@ void NodeReader::undeclaredPorts(const Node& node) {
       forest.notes.push_back(
           {node.place, fmt::format("`{}` is not a port that `TreeNodesModel` declares for `{}`",
                                    port, node.id)});
+}
+
+void NodeReader::defaultPorts(Node& node) {
+  const bool isLeaf = node.kind == Kind::Action || node.kind == Kind::Condition;
+  const bool isTree = node.kind == Kind::SubTree && !isTrue(node.port("_autoremap"));
+  const auto known = forest.ports.find(node.id);
+  if (known == forest.ports.end() || (!isLeaf && !isTree)) return;
+  for (const auto& [name, model] : known->second)
+    if (!node.ports.contains(name)) defaultPort(node, name, model);
+}
+
+void NodeReader::defaultPort(Node& node, const std::string& name, const PortModel& model) {
+  const bool isTree = node.kind == Kind::SubTree;
+  if (isTree && model.byDefault.empty() && forest.hasFormat)
+    return errors.push_back(
+        {node.place, fmt::format("`{}` needs a value for its port `{}`: `TreeNodesModel` declares "
+                                 "it without a default",
+                                 node.id, name)});
+  // An output needs an entry of the blackboard.
+  if (!model.byDefault.empty() && (isTree || model.isInput || isEntry(model.byDefault)))
+    node.ports.emplace(name, model.byDefault);
 }
 
 void NodeReader::countChildren(const Element& element, std::size_t least, std::size_t most) {

@@ -12,8 +12,9 @@ namespace {
 /// Builds elements from the calls of Expat.
 class Reader {
 public:
-  explicit Reader(const std::filesystem::path& file)
-      : parser(XML_ParserCreate("UTF-8"), XML_ParserFree), file(file) {
+  /// \param encoding null: as the document says
+  Reader(const std::filesystem::path& file, const char* encoding)
+      : parser(XML_ParserCreate(encoding), XML_ParserFree), file(file) {
     XML_SetUserData(parser.get(), this);
     XML_SetElementHandler(parser.get(), &Reader::onStart, &Reader::onEnd);
     XML_SetCharacterDataHandler(parser.get(), &Reader::onText);
@@ -26,6 +27,12 @@ public:
     if (error) return std::unexpected(*error);
     if (status != XML_STATUS_OK) return std::unexpected(Error{here(), reason()});
     return std::move(root.children.front());
+  }
+
+  /// Whether the document names an encoding that is unknown, or that it does not have.
+  [[nodiscard]] bool isMisnamed() const {
+    const auto code = XML_GetErrorCode(parser.get());
+    return code == XML_ERROR_UNKNOWN_ENCODING || code == XML_ERROR_INCORRECT_ENCODING;
   }
 
 private:
@@ -58,11 +65,9 @@ private:
     (open.empty() ? root : open.back()).children.push_back(std::move(element));
   }
 
-  /// Ports of models have their descriptions as texts.
   void text(std::string_view bytes) {
-    if (open.size() > 1 && open[1].name == "TreeNodesModel") return;
-    if (bytes.find_first_not_of(" \t\r\n") != std::string_view::npos)
-      fail("text is not allowed between elements");
+    if (open.empty() || bytes.find_first_not_of(" \t\r\n") == std::string_view::npos) return;
+    if (!open.back().text) open.back().text = here();
   }
 
   void fail(const std::string& message) {
@@ -98,7 +103,11 @@ const std::string* Element::attribute(std::string_view called) const {
 std::expected<Element, Error> readXml(std::string_view text, const std::filesystem::path& file) {
   if (text.size() > kLargestXml)
     return std::unexpected(Error{{file}, "the file is larger than 16 MiB"});
-  return Reader(file).read(text);
+  Reader asNamed(file, nullptr);
+  auto root = asNamed.read(text);
+  if (root || !asNamed.isMisnamed()) return root;
+  auto inUtf8 = Reader(file, "UTF-8").read(text);
+  return inUtf8 ? std::move(inUtf8) : std::move(root);
 }
 
 } // namespace proskill::bridge::bt

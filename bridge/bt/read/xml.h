@@ -3,6 +3,7 @@
 #include "bridge/text/place.h"
 
 #include <expected>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -13,6 +14,7 @@ struct Element {
   Place place;
   std::vector<std::pair<std::string, std::string>> attributes; ///< in the order of the text
   std::vector<Element> children;
+  std::optional<Place> text; ///< the first one between its children, if there is any
 
   /// The value of an attribute, or null.
   [[nodiscard]] const std::string* attribute(std::string_view called) const;
@@ -22,8 +24,8 @@ inline constexpr std::size_t kDeepestXml = 250;
 inline constexpr std::size_t kLargestXml = 16 << 20; ///< bytes
 inline constexpr std::size_t kMostElements = 200'000;
 
-/// Reads a document. Declarations of document types, and so of entities, are rejected; what is
-/// between the elements must be white space or comments, but for the descriptions in models.
+/// Reads a document in UTF-8, UTF-16, ISO-8859-1 or US-ASCII, as it says; as UTF-8 if it says
+/// something else. Declarations of document types, and so of entities, are rejected.
 /// \return the root element, or the first error
 [[nodiscard]] std::expected<Element, Error> readXml(std::string_view text,
                                                     const std::filesystem::path& file);

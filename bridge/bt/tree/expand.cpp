@@ -15,10 +15,9 @@ struct Scope {
   bool automatic = false; ///< entries have the same names outside
 };
 
-/// An entry of the blackboard; version 3 may write `${entry}`.
-bool isEntry(std::string_view value) {
-  if (value.starts_with("${")) value.remove_prefix(1);
-  return value.size() > 2 && value.front() == '{' && value.back() == '}';
+/// The value of a port, where `{=}` is the entry with the name of the port.
+std::string spelledOut(const std::string& port, const std::string& value) {
+  return value == "{=}" ? "{" + port + "}" : value;
 }
 
 /// \param literally a port that got a value is that value
@@ -26,7 +25,6 @@ std::string resolve(const std::string& value, const Scope& scope, bool literally
   if (!isEntry(value)) return value;
   const auto start = value.find('{') + 1;
   auto key = value.substr(start, value.size() - start - 1);
-  if (key == "=") return value;
   if (key.starts_with('@')) return value; // of the root's blackboard
   // The entry of a port that got a value may be overwritten: elsewhere it is one of the subtree.
   const auto found = scope.remapped.find(key);
@@ -54,7 +52,7 @@ private:
     if (++count > kMostNodes || depth > kDeepestTree) return tooLarge(std::move(result));
     const bool isLeaf = node.kind == Kind::Action || node.kind == Kind::Condition;
     for (const auto& [key, value] : node.ports)
-      result.ports.emplace(key, resolve(value, scope, isLeaf));
+      result.ports.emplace(key, resolve(spelledOut(key, value), scope, isLeaf));
     if (node.kind == Kind::SubTree) return use(std::move(result), node, scope, depth);
     for (const auto& child : node.children)
       result.children.push_back(copy(child, scope, depth + 1));
@@ -63,7 +61,7 @@ private:
 
   Node use(Node result, const Node& node, const Scope& scope, std::size_t depth) {
     if (!forest.trees.contains(node.id)) {
-      fail(node, fmt::format("there is no tree `{}`", node.id));
+      fail(node, fmt::format("there is no tree `{}`; if it is in another file, `include` that", node.id));
     } else if (std::ranges::find(open, node.id) != open.end()) {
       fail(node, fmt::format("the tree `{}` contains itself", node.id));
     } else {
@@ -74,14 +72,13 @@ private:
   }
 
   Scope scopeOf(const Node& node, const Scope& outer) {
-    if (node.port("_shared_blackboard") == "true" || node.port("_shared_blackboard") == "1")
-      return outer;
+    if (isTrue(node.port("_shared_blackboard"))) return outer;
     Scope scope{.prefix = fmt::format("{}{}.{}/", outer.prefix, node.id, ++uses),
                 .outer = &outer,
-                .automatic = node.port("_autoremap") == "true" || node.port("_autoremap") == "1"};
+                .automatic = isTrue(node.port("_autoremap"))};
     for (const auto& [key, value] : node.ports)
       if (!key.starts_with('_'))
-        scope.remapped.emplace(key, resolve(value == "{=}" ? "{" + key + "}" : value, outer));
+        scope.remapped.emplace(key, resolve(spelledOut(key, value), outer));
     return scope;
   }
 

@@ -18,6 +18,15 @@ const BuiltIn* builtIn(std::string_view name) {
   return found == kBuiltIn.end() ? nullptr : &*found;
 }
 
+bool isTrue(std::string_view value) {
+  return value == "true" || value == "True" || value == "TRUE" || value == "1";
+}
+
+bool isEntry(std::string_view value) {
+  if (value.starts_with("${")) value.remove_prefix(1);
+  return value.size() > 2 && value.front() == '{' && value.back() == '}';
+}
+
 std::string Node::port(const std::string& called, std::string otherwise) const {
   const auto found = ports.find(called);
   return found == ports.end() ? std::move(otherwise) : found->second;

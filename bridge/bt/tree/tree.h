@@ -5,7 +5,6 @@
 #include <expected>
 #include <map>
 #include <optional>
-#include <set>
 #include <string_view>
 
 namespace proskill::bridge::bt {
@@ -75,10 +74,22 @@ struct Node {
   [[nodiscard]] std::string port(const std::string& called, std::string otherwise = {}) const;
 };
 
+/// What BehaviorTree.CPP reads as a true value.
+[[nodiscard]] bool isTrue(std::string_view value);
+/// Whether the value of a port is an entry of the blackboard: `{entry}`, or `${entry}` in version 3.
+[[nodiscard]] bool isEntry(std::string_view value);
+
 struct Tree {
   std::string id;
   Place place;
   Node root;
+};
+
+/// A port that `TreeNodesModel` declares.
+struct PortModel {
+  bool isInput = true;
+  bool isOutput = false;
+  std::string byDefault; ///< its value where a node gives it none; empty: none
 };
 
 /// What the files declare.
@@ -88,7 +99,7 @@ struct Forest {
   Place place;                          ///< of the first file's root element
   std::map<std::string, Kind> declared; ///< by TreeNodesModel: actions, conditions, subtrees
   /// By TreeNodesModel: the ports of types that have some.
-  std::map<std::string, std::set<std::string, std::less<>>> ports;
+  std::map<std::string, std::map<std::string, PortModel, std::less<>>> ports;
   std::vector<Note> notes;             ///< about what may be an error
   bool hasFormat = true;               ///< each file says that it is of version 4
   std::vector<std::string> undeclared; ///< types of leaves that were taken as actions
