@@ -11,7 +11,7 @@ constexpr std::string_view kTree = R"(<root BTCPP_format="4"><BehaviorTree ID="M
 
 void leaves(std::string_view bytes) {
   const auto read = bridge::Leaves::read(bytes);
-  if (!read) return expect(!read.error().empty(), "an error says what is wrong");
+  if (!read) return errorsHavePlaces(read.error());
   const auto imported = bridge::bt::importTree(OneText(kTree), "tree.xml", *read, {});
   if (!imported) return errorsHavePlaces(imported.error());
   isProgram(imported->text);

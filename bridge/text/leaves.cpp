@@ -1,7 +1,12 @@
 #include "bridge/text/leaves.h"
 
+#include "bridge/text/json_places.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <utility>
 
 namespace proskill::bridge {
 namespace {
@@ -9,108 +14,138 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr double kLongest = 1e6; // seconds
+constexpr std::size_t kMostErrors = 100; // more of them help nobody
+constexpr auto kSeconds = "must be a number of seconds, at most 1e6";
 
-/// A reader of one text; the first thing that is wrong ends it.
-struct Wrong {
-  std::string message;
-};
+/// Whether a value is a time.
+bool isSeconds(const Json& value) {
+  return value.is_number() && value.get<double>() >= 0 && value.get<double>() <= kLongest;
+}
 
-/// The number as ProSkill writes it: at most three decimals.
-std::expected<std::string, Wrong> seconds(const Json& value, const std::string& where) {
-  if (!value.is_number() || value.get<double>() < 0 || value.get<double>() > kLongest)
-    return std::unexpected(Wrong{where + " must be a number of seconds, at most 1e6"});
+/// The number as ProSkill writes it: at most three decimals. \pre it is a time
+std::string seconds(const Json& value) {
   auto text = fmt::format("{:.3f}", value.get<double>());
   text.erase(text.find_last_not_of('0') + 1);
   if (text.ends_with('.')) text.pop_back();
   return text;
 }
 
-std::optional<Wrong> readDuration(const Json& value, const std::string& where, Leaf& leaf) {
-  if (!value.is_array() || value.size() != 2)
-    return Wrong{where + " must be a list of two numbers, the second one possibly null"};
-  const auto least = seconds(value[0], where);
-  if (!least) return least.error();
-  leaf.least = *least;
-  leaf.hasDuration = true;
-  if (value[1].is_null()) return std::nullopt;
-  const auto most = seconds(value[1], where);
-  if (!most) return most.error();
-  if (value[0].get<double>() > value[1].get<double>())
-    return Wrong{where + ": the second number is less than the first"};
-  leaf.most = *most;
-  return std::nullopt;
-}
+} // namespace
 
-std::optional<Wrong> readOutcomes(const Json& value, const std::string& where, Leaf& leaf) {
-  leaf.succeeds = leaf.fails = false;
-  if (value.is_array())
-    for (const auto& outcome : value) {
-      if (outcome == "success")
+/// Reads a text to its end, whatever is wrong in it.
+class LeavesReader {
+public:
+  LeavesReader(const Json& json, JsonPlaces places) : json(json), places(std::move(places)) {}
+
+  std::expected<Leaves, Errors> read() {
+    for (const auto& [path, place] : places.repeated())
+      errors.push_back({place, path + " is there twice"});
+    for (const auto& [key, value] : json.items()) member(memberPath("", key), key, value);
+    if (errors.empty()) return std::move(leaves);
+    std::ranges::stable_sort(errors, {}, [](const Error& error) {
+      return std::pair(error.place.line, error.place.column);
+    });
+    return std::unexpected(std::move(errors));
+  }
+
+private:
+  void member(const std::string& path, const std::string& key, const Json& value) {
+    if (key == "tick") return tick(path, value);
+    if (key != "leaves") return fail(path, "is not a field of this file");
+    if (!value.is_object()) return fail(path, "must be an object");
+    for (const auto& [name, fields] : value.items()) leaf(memberPath(path, name), name, fields);
+  }
+
+  void tick(const std::string& path, const Json& value) {
+    if (!isSeconds(value)) return fail(path, kSeconds);
+    leaves.tick = seconds(value);
+    if (leaves.tick == "0") fail(path, "must be at least 0.001");
+  }
+
+  void leaf(const std::string& path, const std::string& name, const Json& fields) {
+    if (!fields.is_object()) return fail(path, "must be an object");
+    Leaf leaf;
+    for (const auto& [key, value] : fields.items()) field(memberPath(path, key), key, value, leaf);
+    leaves.known.emplace(name, leaf);
+  }
+
+  void field(const std::string& path, const std::string& key, const Json& value, Leaf& leaf) {
+    if (key == "duration") return duration(path, value, leaf);
+    if (key == "outcomes") return outcomes(path, value, leaf);
+    if (key == "changes") return changes(path, value, leaf);
+    if (key == "kind") return kind(path, value, leaf);
+    fail(path, "is not a field of a leaf: these are `duration`, `outcomes`, `kind` and `changes`");
+  }
+
+  void duration(const std::string& path, const Json& value, Leaf& leaf) {
+    if (!value.is_array() || value.size() != 2)
+      return fail(path, "must be a list of two numbers, the second one possibly null");
+    leaf.hasDuration = true;
+    const bool isBounded = !value[1].is_null();
+    const bool hasLeast = isSeconds(value[0]);
+    const bool hasMost = isBounded && isSeconds(value[1]);
+    if (!hasLeast) fail(path + "/0", kSeconds);
+    if (isBounded && !hasMost) fail(path + "/1", kSeconds);
+    if (hasLeast) leaf.least = seconds(value[0]);
+    if (hasMost) leaf.most = seconds(value[1]);
+    if (hasLeast && hasMost && value[0].get<double>() > value[1].get<double>())
+      fail(path + "/1", "is less than the first number");
+  }
+
+  void outcomes(const std::string& path, const Json& value, Leaf& leaf) {
+    if (!value.is_array() || value.empty())
+      return fail(path, R"(must be a list of "success" and "failure")");
+    leaf.succeeds = leaf.fails = false;
+    for (std::size_t i = 0; i < value.size(); ++i)
+      if (value[i] == "success")
         leaf.succeeds = true;
-      else if (outcome == "failure")
+      else if (value[i] == "failure")
         leaf.fails = true;
       else
-        return Wrong{where + " may contain \"success\" and \"failure\""};
-    }
-  if (!leaf.succeeds && !leaf.fails)
-    return Wrong{where + " must be a list of \"success\" and \"failure\""};
-  return std::nullopt;
-}
+        fail(fmt::format("{}/{}", path, i), R"(must be "success" or "failure")");
+  }
 
-std::optional<Wrong> readField(const std::string& key, const Json& value, const std::string& where,
-                               Leaf& leaf) {
-  if (key == "duration") return readDuration(value, where, leaf);
-  if (key == "outcomes") return readOutcomes(value, where, leaf);
-  if (key == "changes" && value.is_boolean())
+  void changes(const std::string& path, const Json& value, Leaf& leaf) {
+    if (!value.is_boolean()) return fail(path, "must be true or false");
     leaf.changes = value.get<bool>();
-  else if (key == "kind" && value == "action")
-    leaf.isCondition = false;
-  else if (key == "kind" && value == "condition")
-    leaf.isCondition = true;
-  else
-    return Wrong{where + " is not a field of a leaf, or has a wrong value"};
-  return std::nullopt;
-}
+  }
 
-std::expected<Leaf, Wrong> readLeaf(const Json& fields, const std::string& name) {
-  Leaf leaf;
-  if (!fields.is_object()) return std::unexpected(Wrong{"/leaves/" + name + " must be an object"});
-  for (const auto& [key, value] : fields.items())
-    if (auto wrong = readField(key, value, "/leaves/" + name + "/" + key, leaf))
-      return std::unexpected(*wrong);
-  return leaf;
-}
+  void kind(const std::string& path, const Json& value, Leaf& leaf) {
+    if (value != "action" && value != "condition")
+      return fail(path, R"(must be "action" or "condition")");
+    leaf.isCondition = value == "condition";
+  }
 
-} // namespace
+  void fail(const std::string& path, const std::string& message) {
+    if (errors.size() < kMostErrors) errors.push_back({places.of(path), path + " " + message});
+  }
+
+  const Json& json;
+  JsonPlaces places;
+  Leaves leaves;
+  Errors errors;
+};
 
 std::string Leaf::interval() const {
   if (least == "0" && most.empty()) return "";
   return "[" + least + "," + (most.empty() ? "...[" : most + "]");
 }
 
-std::expected<Leaves, std::string> Leaves::read(std::string_view text) {
-  // Deep nesting cannot exhaust the stack: the parser has a stack of its own.
-  const auto json = Json::parse(text, nullptr, false);
-  if (json.is_discarded()) return std::unexpected("the file is not JSON");
-  if (!json.is_object()) return std::unexpected("the file must contain an object");
-  Leaves leaves;
-  for (const auto& [key, value] : json.items()) {
-    if (key == "tick") {
-      const auto tick = seconds(value, "/tick");
-      if (!tick) return std::unexpected(tick.error().message);
-      if (*tick == "0") return std::unexpected("/tick must be at least 0.001");
-      leaves.tick = *tick;
-    } else if (key == "leaves" && value.is_object()) {
-      for (const auto& [name, fields] : value.items()) {
-        const auto leaf = readLeaf(fields, name);
-        if (!leaf) return std::unexpected(leaf.error().message);
-        leaves.known.emplace(name, *leaf);
-      }
-    } else {
-      return std::unexpected("/" + key + " is not a field of this file, or has a wrong value");
-    }
+std::expected<Leaves, Errors> Leaves::read(std::string_view text,
+                                           const std::filesystem::path& file) {
+  const auto wrong = [&](std::size_t byte, const char* message) {
+    return std::unexpected(Errors{{placeIn(text, byte, file), message}});
+  };
+  try {
+    // Deep nesting cannot exhaust the stack: the parser has a stack of its own.
+    const auto json = Json::parse(text);
+    if (!json.is_object()) return wrong(0, "the file must contain an object");
+    return LeavesReader(json, JsonPlaces(text, file)).read();
+  } catch (const Json::parse_error& error) {
+    return wrong(error.byte == 0 ? 0 : error.byte - 1, "the file is not JSON");
+  } catch (const Json::out_of_range&) {
+    return wrong(0, "a number of the file is too large");
   }
-  return leaves;
 }
 
 void Leaves::assumeInstant(const std::string& type) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "bridge/text/place.h"
+
 #include <expected>
 #include <map>
 #include <optional>
@@ -30,8 +32,9 @@ struct Leaf {
 /// The side file about leaves.
 class Leaves {
 public:
-  /// \return the leaves of a JSON text, or what is wrong with it
-  [[nodiscard]] static std::expected<Leaves, std::string> read(std::string_view json);
+  /// \return the leaves of a JSON text, or all that is wrong with it, in the order of the text
+  [[nodiscard]] static std::expected<Leaves, Errors> read(std::string_view json,
+                                                          const std::filesystem::path& file = {});
 
   /// From now on, leaves of a type end in the tick that starts them, unless the file says how long
   /// they take.
@@ -44,6 +47,8 @@ public:
   std::string tick;
 
 private:
+  friend class LeavesReader;
+
   std::map<std::string, Leaf, std::less<>> known;
   mutable std::set<std::string> used;
   Leaf any;

@@ -32,13 +32,11 @@ struct ImportArguments {
 };
 
 /// The side file about leaves; without one, anything is allowed to them.
-std::expected<bridge::Leaves, std::string> readLeaves(const std::string& path) {
+std::expected<bridge::Leaves, bridge::Errors> readLeaves(const std::string& path) {
   if (path.empty()) return bridge::Leaves();
   const auto bytes = disk::DiskFileSystem().read(path);
-  if (!bytes) return std::unexpected("cannot read `" + path + "`: " + bytes.error());
-  auto leaves = bridge::Leaves::read(*bytes);
-  if (!leaves) return std::unexpected(path + ": " + leaves.error());
-  return leaves;
+  if (!bytes) return std::unexpected(bridge::Errors{{{path}, "cannot read it: " + bytes.error()}});
+  return bridge::Leaves::read(*bytes, path);
 }
 
 /// The folder of the program, seen from where the imported file is seen.
@@ -71,7 +69,7 @@ int runImport(const ImportArguments& arguments) {
   if (!arguments.main.empty() && arguments.language != Language::BehaviorTree)
     return fail("`--main` is about behavior trees");
   const auto leaves = readLeaves(arguments.leaves);
-  if (!leaves) return fail(leaves.error());
+  if (!leaves) return reportErrors(leaves.error());
   const auto made = imported(arguments, *leaves);
   if (!made) return reportErrors(made.error());
   if (const auto failed = disk::writeOutput(arguments.output, made->text)) return fail(*failed);
