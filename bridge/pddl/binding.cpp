@@ -67,22 +67,29 @@ std::vector<Expr> valuesOf(const analysis::Program& program, std::string_view ty
   return all;
 }
 
+std::string tooMany(const syntax::Skill& skill, const std::string& counts) {
+  return fmt::format("`{}` needs an action for each combination of the values of its inputs, more "
+                     "than {} ({}); read fewer inputs in its conditions and effects, or split it",
+                     skill.name.text, kMost, counts);
+}
+
 } // namespace
 
 std::expected<std::vector<Binding>, std::string> bindingsOf(const analysis::Program& program,
                                                             const syntax::Skill& skill) {
   const auto read = inputsRead(skill);
   std::vector<Binding> all(1);
+  std::string counts;
   for (const auto& input : skill.inputs) {
     if (!read.contains(input.name.text)) continue;
     const auto values = valuesOf(program, input.type.text);
     if (values.empty())
       return std::unexpected(
-          fmt::format("the input `{}` of `{}` does not have a short list of values",
-                      bare(input.name.text), skill.name.text));
-    if (all.size() * values.size() > kMost)
-      return std::unexpected(fmt::format(
-          "the inputs of `{}` have more than {} combinations of values", skill.name.text, kMost));
+          fmt::format("the input `{}` of `{}` does not have a list of at most {} values",
+                      bare(input.name.text), skill.name.text, kMost));
+    counts += fmt::format("{}{} of `{}`", counts.empty() ? "" : ", ", values.size(),
+                          bare(input.name.text));
+    if (all.size() * values.size() > kMost) return std::unexpected(tooMany(skill, counts));
     std::vector<Binding> longer;
     for (const auto& binding : all)
       for (const auto& value : values) {

@@ -316,7 +316,7 @@ TEST_CASE("PDDL has an action for each value of an input that a skill reads") {
   const auto refused = command({"emit", "pddl", heavy});
   CHECK(refused.exitCode == 2);
   CHECK(contains(refused.err, "heavy.proskill:3:11: error: PDDL cannot say this: the input `by` of "
-                              "`go` does not have a short list of values"));
+                              "`go` does not have a list of at most 1000 values"));
 }
 
 } // namespace import_command
