@@ -108,7 +108,9 @@ void addPlan(CLI::App& app, int& exitCode) {
        group::kAdvanced, "PROGRAM");
   showBelow(*command, {"proskill plan '(area Photographed)' survey.proskill -o mission.proskill"},
             {{kDone, "a verified plan was written, or the problem"},
-             {kFailed, "there is no plan, or the goal, the program or the command line is wrong"}});
+             {kFound, "the goal is impossible: no order of skills reaches it"},
+             {kFailed, "the goal, the program or the command line is wrong"},
+             {kInconclusive, "no plan was found, or none was verified, within the limits"}});
   command->callback([arguments, &exitCode] { exitCode = runPlan(*arguments); });
 }
 

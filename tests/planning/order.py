@@ -25,8 +25,9 @@ sys.path.insert(0, str(ROOT / "python"))
 
 from proskill.planning import loop, planner  # noqa: E402
 from proskill.planning.order import Parallel, Sequence, Step, block_of, order_of, useful_steps  # noqa: E402
-from proskill.planning.pddl import Action, Domain, Refused  # noqa: E402
+from proskill.planning.pddl import Action, Domain, Impossible, Refused, Undecided  # noqa: E402
 from proskill.planning.planner import Planned  # noqa: E402
+from proskill.planning.reach import can_reach  # noqa: E402
 from proskill.planning.skill import in_words, skill_of  # noqa: E402
 
 
@@ -279,6 +280,7 @@ class Loops(unittest.TestCase):
                 answer = planner.Answer("solved", steps)
                 said = []
                 with unittest.mock.patch.object(loop, "run_planner", lambda *_: answer), \
+                        unittest.mock.patch.object(loop, "can_reach", lambda *_: (None, "")), \
                         unittest.mock.patch.object(loop, "say", said.append):
                     asked = loop.Loop(loop.Settings(PROGRAM, str(path), goal, ["any"]))
                     if refusal:
@@ -287,6 +289,66 @@ class Loops(unittest.TestCase):
                     else:
                         self.assertIn("(^ (flight OnGround))", asked.run())
                         self.assertIn("verified: every run", said[-1])
+
+    def test_a_goal_that_no_order_reaches(self):
+        """The verifier says so before a planner is asked."""
+        for goal, possible in (("(and (lid Open) (cup Full))", True), ("(and (lid Shut) (cup Empty))", True),
+                               ("(and (lid Open) (cup Empty))", True)):
+            self.assertEqual(reached(LID, goal), possible, goal)
+        lost = LID.replace(":success done (:effects (cup Full))", ":success done")
+        self.assertIs(reached(lost, "(cup Full)"), False)
+        asked = []
+        with tempfile.TemporaryDirectory() as folder, \
+                unittest.mock.patch.object(loop, "run_planner", lambda *_: asked.append(1)):
+            path = pathlib.Path(folder) / "p.proskill"
+            path.write_text(lost, encoding="utf-8")
+            self.assertRaisesRegex(Impossible, "no order", loop.Loop(settings(path, "(cup Full)")).run)
+        self.assertEqual(asked, [])
+
+    def test_any_order_has_all_values_and_events(self):
+        text = """(defsv place :states (Dock Bed Well) :init Dock)
+(defsv light :states (Off On) :init Off)
+(defsv bed :states (Dry Wet) :init Dry)
+(defevent dusk :effects (light On))
+(defskill go :input ($to place $what string) :precondition (away (/= place $to)) :action (go $to $what)
+  :success there (:effects (place $to)))
+(defskill pour :precondition (there (place Bed)) :interrupt (:effects (bed Dry)) :action (pour)
+  :success done (:effects (bed Wet)) :failure dry (:effects (place Well)))
+(defskill old_mission :body ((pour)))
+"""
+        for goal, possible in (("(and (bed Wet) (place Dock) (light On))", True), ("(and (bed Wet) (place Well))", True),
+                               ("(and (light Off) (bed Wet))", True)):
+            self.assertEqual(reached(text, goal), possible, goal)
+        once = text.replace(":precondition (there (place Bed))", ":precondition (there (and (place Bed) (bed Wet)))")
+        self.assertIs(reached(once, "(bed Wet)"), False)
+        # In an environment of the program, only its events come.
+        self.assertIs(reached(text + "(defenvironment day :body ((^ 1)))", "(light On)"), False)
+        self.assertIs(reached(text + "(defenvironment day :body ((^ 1)))", "(place Well)"), True)
+
+    def test_no_plan_is_no_proof(self):
+        """What a planner does not find may exist: the limits are named."""
+        answer = planner.Answer("unknown", [], "no plan within 1 s")
+        with unittest.mock.patch.object(loop, "run_planner", lambda *_: answer):
+            self.assertRaisesRegex(Undecided, "any: no plan within 1 s\n  verifier: there may be one",
+                                   loop.Loop(settings(SURVEY, "(area Photographed)")).run)
+            with unittest.mock.patch.object(loop, "can_reach", lambda *_: (None, "1 s passed")):
+                self.assertRaisesRegex(Undecided, "verifier: undecided: 1 s passed",
+                                       loop.Loop(settings(SURVEY, "(area Photographed)")).run)
+
+
+def settings(path, goal):
+    return loop.Settings(PROGRAM, str(path), goal, ["any"])
+
+
+def reached(text, goal):
+    """Whether any order of skills reaches a goal, by the verifier."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "p.proskill"
+        path.write_text(text, encoding="utf-8")
+        asked = settings(path, goal)
+        possible, reason = can_reach(domain_of(text), asked, 60)
+        assert possible is not None, reason
+        return possible
 
 
 unittest.main(argv=sys.argv[:1])

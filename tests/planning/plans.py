@@ -117,18 +117,21 @@ class Plans(unittest.TestCase):
     def test_an_impossible_goal(self):
         with tempfile.TemporaryDirectory() as folder:
             text = SURVEY.read_text(encoding="utf-8").replace("(area Photographed)", "(area Unknown)")
-            done = plan(GOAL, changed(text, folder), "--planner", "aries", "--time-limit", "20")
-            self.assertEqual(done.returncode, 2)
-            self.assertIn("error: no plan", done.stderr)
+            done = plan(GOAL, changed(text, folder))
+            self.assertEqual(done.returncode, 1)
+            self.assertIn("error: the goal is impossible: no order of skills and events reaches it", done.stderr)
             self.assertEqual(done.stdout, "")
 
     def test_what_no_order_repairs(self):
-        """The world takes the area away again: no order of skills helps."""
+        """The world takes the area away again: no order of skills helps, and the verifier proves it by times."""
         with tempfile.TemporaryDirectory() as folder:
             text = SURVEY.read_text(encoding="utf-8")
-            text += "(defevent clouds :every [1,2] :effects (flight OnGround))\n"
-            done = plan(GOAL, changed(text, folder), "--planner", "aries")
-            self.assertEqual(done.returncode, 2)
+            text += "(defevent clouds :every [1,%d] :effects (flight OnGround))\n"
+            done = plan(GOAL, changed(text % 9, folder), "--planner", "aries")
+            self.assertEqual(done.returncode, 1)
+            self.assertIn("the goal is impossible", done.stderr)
+            done = plan(GOAL, changed(text % 30, folder), "--planner", "aries")
+            self.assertEqual(done.returncode, 3)
             self.assertIn("not verified", done.stderr)
 
     def test_the_problem_in_anml_is_read_again(self):
@@ -149,8 +152,9 @@ class Plans(unittest.TestCase):
 
     def test_a_limit_of_time(self):
         done = plan(GOAL, SURVEY, "--planner", "aries", "--memory-limit", "64")
-        self.assertEqual(done.returncode, 2)
+        self.assertEqual(done.returncode, 3)
         self.assertIn("no planner has found a plan", done.stderr)
+        self.assertIn("verifier: there may be one", done.stderr)
 
 
 unittest.main(argv=sys.argv[:1])

@@ -47,7 +47,7 @@ def main() -> int:
     except Refused as refused:
         if str(refused):
             say(f"error: {refused}")
-        return 2
+        return refused.exit_code
     return 0
 
 

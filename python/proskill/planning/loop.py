@@ -12,11 +12,14 @@ from dataclasses import dataclass, field
 from typing import Dict, List, Optional, Set, Tuple
 
 from proskill.planning.order import block_of, useful_steps
-from proskill.planning.pddl import Action, Domain, Refused, domain_of, problem_of, terms_of, words_of
+from proskill.planning.pddl import (Action, Domain, Impossible, Refused, Undecided, domain_of, problem_of, terms_of,
+                                    words_of)
 from proskill.planning.planner import Planned, run_planner
+from proskill.planning.reach import can_reach
 from proskill.planning.skill import in_words, skill_of
 
 MOST_ROUNDS = 20
+FIRST_SECONDS = 5  # for the verifier, before a planner is asked
 
 
 @dataclass
@@ -55,6 +58,7 @@ class Loop:
 
     def run(self) -> str:
         """The text of a skill that the verifier accepts."""
+        self.refuse_impossible(min(FIRST_SECONDS, self.settings.seconds))
         for number in range(1, MOST_ROUNDS + 1):
             plan, planner = self.plan()
             plan = self.without_useless(plan)
@@ -70,9 +74,18 @@ class Loop:
                 return skill
             say(f"  not verified: {finding.description}\n  {finding.summary}")
             self.learn(finding, actions)
-        raise Refused(f"no plan was verified in {MOST_ROUNDS} rounds")
+        raise Undecided(f"no plan was verified in {MOST_ROUNDS} rounds")
 
     # --- Planning
+
+    def refuse_impossible(self, seconds: float) -> str:
+        """Ends with an error if no order of skills reaches the goal. Otherwise, what the verifier says of it."""
+        possible, reason = can_reach(self.domain, self.settings, seconds)
+        if possible is None:
+            return f"undecided: {reason}"
+        if possible:
+            return "there may be one: an order of skills, some of which may fail, reaches the goal"
+        raise Impossible("the goal is impossible: no order of skills and events reaches it, says the verifier")
 
     def plan(self) -> Tuple[List[Planned], str]:
         domain = self.domain.with_constraints(self.constraints)
@@ -84,9 +97,10 @@ class Loop:
                 return answer.plan, planner
             if answer.status == "unsolvable":
                 because = f" under {len(self.constraints)} constraints" if self.constraints else ""
-                raise Refused(f"no plan reaches the goal{because}, says {planner}")
+                raise Undecided(f"no plan reaches the goal{because}, says {planner}")
             problems.append(f"{planner}: {answer.words}")
-        raise Refused("no planner has found a plan\n  " + "\n  ".join(problems))
+        problems.append(f"verifier: {self.refuse_impossible(self.settings.seconds)}")
+        raise Undecided("no planner has found a plan\n  " + "\n  ".join(problems))
 
     def without_useless(self, plan: List[Planned]) -> List[Planned]:
         actions = [self.domain.actions[each.action] for each in plan]
@@ -106,7 +120,7 @@ class Loop:
         rows = [row for row in report["properties"] if self.matters(row, actions)]
         for row in rows:
             if row["verdict"] == "inconclusive":
-                raise Refused(f"the verifier cannot decide this: {row['description']}")
+                raise Undecided(f"the verifier cannot decide this: {row['description']}")
         bad = [row for row in rows if not self.wanted(row)]
         return finding_of(bad[0]) if bad else None
 
@@ -135,9 +149,9 @@ class Loop:
         """Two skills that disturb each other must not run at the same time."""
         pair = self.culprits(finding, {each.skill for each in actions if each.skill})
         if pair is None:
-            raise Refused("no constraint avoids this: it is not the work of two skills of the plan")
+            raise Undecided("no constraint avoids this: it is not the work of two skills of the plan")
         if pair in self.constraints:
-            raise Refused("the planner has been told this already: no plan of this kind can be verified")
+            raise Undecided("the planner has been told this already: no plan of this kind can be verified")
         self.constraints.append(pair)
         say(f"  constraint {len(self.constraints)}: `{pair[0]}` and `{pair[1]}` must not run at the same time")
 

@@ -13,6 +13,20 @@ Term = Union[str, List["Term"]]
 class Refused(Exception):
     """What a user has to change."""
 
+    exit_code = 2
+
+
+class Impossible(Refused):
+    """No plan can reach the goal."""
+
+    exit_code = 1
+
+
+class Undecided(Refused):
+    """No plan was found, although there may be one."""
+
+    exit_code = 3
+
 
 @dataclass
 class Action:
