@@ -301,6 +301,26 @@ TEST_CASE("a file is read in the encoding that it names") {
   CHECK(contains(errorsIn(tree("UTF-8", "\xE9")), "main.xml:4:7: not well-formed XML"));
 }
 
+TEST_CASE("what is not well-formed is read as BehaviorTree.CPP reads it") {
+  const std::string text =
+      "\n <?xml version=\"1.0\"?>\n<!-- a -- b ---><root BTCPP_format=\"4\">"
+      "<BehaviorTree ID=\"Main\"><Sequence>\n"
+      "<Precondition if=\"a<3 && b\"><A p=\"&lt;&#65;&\"/>"
+      "</Precondition><B p='x&amp;&y' _x=\"\"/></Sequence></BehaviorTree></root>";
+  const auto imported = importTree(MemoryFiles({{"main.xml", text}}), "main.xml", Leaves(), {});
+  REQUIRE(imported);
+  CHECK(contains(imported->text, "(A \"<A&\")"));
+  CHECK(contains(imported->summary[1], "main.xml:3:17: not well-formed XML"));
+  CHECK(contains(imported->text, "(B \"x&&y\")"));
+  // Columns are those of the file.
+  CHECK(contains(imported->text, "; from main.xml:4:29 A"));
+  CHECK(contains(imported->text, "; from main.xml:4:63 B"));
+  CHECK(errorsIn(treeOf("<Sequence if=\"a && b\"><A></Sequence>")) ==
+        "main.xml:3:28: not well-formed XML: mismatched tag\n");
+  CHECK(errorsIn(treeOf("<A x=\"a && b/>")) ==
+        "main.xml:3:1: not well-formed XML: unclosed token\n");
+}
+
 TEST_CASE("attributes that only editors know are named, once") {
   const auto imported = importTree(
       MemoryFiles({{"main.xml", treeOf("<Sequence>\n<A _collapsed=\"1\"/>\n<B _collapsed=\"0\"/>"

@@ -13,6 +13,7 @@ namespace {
 struct File {
   std::filesystem::path path;
   Element root;
+  bool isWellFormed = true;
 };
 
 /// Reads files in the order of their includes.
@@ -29,12 +30,12 @@ public:
     const auto bytes = disk.read(path);
     if (!bytes)
       return fail(from, fmt::format("cannot read `{}`: {}", path.generic_string(), bytes.error()));
-    auto root = readXml(*bytes, path);
-    if (!root) return errors.push_back(root.error());
+    auto document = readXml(*bytes, path);
+    if (!document) return errors.push_back(document.error());
     open.push_back(canonical);
-    includes(*root, path);
+    includes(document->root, path);
     open.pop_back();
-    files.push_back({path, std::move(*root)});
+    files.push_back({path, std::move(document->root), document->isWellFormed});
   }
 
   std::vector<File> files; ///< included ones first
@@ -73,7 +74,13 @@ public:
   /// \param main the tree to execute; empty: as the last file says
   Forest read(const std::vector<File>& files, const std::string& main) {
     const bool isWhole = errors.empty(); // else the main tree may be in a file with an error
-    for (const auto& file : files) head(file.root);
+    for (const auto& file : files) {
+      if (!file.isWellFormed)
+        forest.notes.push_back({file.root.place, "not well-formed XML, but BehaviorTree.CPP reads "
+                                                 "it: `&` or `<` in attributes, `--` in comments, "
+                                                 "or something before the declaration"});
+      head(file.root);
+    }
     for (const auto& file : files) declarations(file.root);
     for (const auto& file : files) trees(file.root);
     if (isWhole) mainTree(files.back().root, main);

@@ -1,5 +1,7 @@
 #include "bridge/bt/read/xml.h"
 
+#include "bridge/bt/read/repair_xml.h"
+
 #include <expat.h>
 
 #include <algorithm>
@@ -13,8 +15,10 @@ namespace {
 class Reader {
 public:
   /// \param encoding null: as the document says
-  Reader(const std::filesystem::path& file, const char* encoding)
-      : parser(XML_ParserCreate(encoding), XML_ParserFree), file(file) {
+  /// \param added bytes that are not in the file
+  Reader(const std::filesystem::path& file, const char* encoding,
+         std::vector<std::size_t> added = {})
+      : parser(XML_ParserCreate(encoding), XML_ParserFree), file(file), added(std::move(added)) {
     XML_SetUserData(parser.get(), this);
     XML_SetElementHandler(parser.get(), &Reader::onStart, &Reader::onEnd);
     XML_SetCharacterDataHandler(parser.get(), &Reader::onText);
@@ -76,8 +80,12 @@ private:
   }
 
   Place here() {
+    const auto column = static_cast<std::size_t>(XML_GetCurrentColumnNumber(parser.get()));
+    const auto byte = static_cast<std::size_t>(XML_GetCurrentByteIndex(parser.get()));
+    const auto begin = std::ranges::lower_bound(added, byte - std::min(byte, column));
+    const auto before = std::ranges::lower_bound(added, byte) - begin;
     return {file, XML_GetCurrentLineNumber(parser.get()),
-            XML_GetCurrentColumnNumber(parser.get()) + 1};
+            column + 1 - static_cast<std::size_t>(before)};
   }
 
   std::string reason() {
@@ -86,6 +94,7 @@ private:
 
   std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser;
   const std::filesystem::path& file;
+  std::vector<std::size_t> added;
   Element root;
   std::vector<Element> open;
   std::optional<Error> error;
@@ -100,14 +109,29 @@ const std::string* Element::attribute(std::string_view called) const {
   return found == attributes.end() ? nullptr : &found->second;
 }
 
-std::expected<Element, Error> readXml(std::string_view text, const std::filesystem::path& file) {
-  if (text.size() > kLargestXml)
-    return std::unexpected(Error{{file}, "the file is larger than 16 MiB"});
+namespace {
+
+std::expected<Element, Error> readAsNamed(std::string_view text,
+                                          const std::filesystem::path& file) {
   Reader asNamed(file, nullptr);
   auto root = asNamed.read(text);
   if (root || !asNamed.isMisnamed()) return root;
   auto inUtf8 = Reader(file, "UTF-8").read(text);
   return inUtf8 ? std::move(inUtf8) : std::move(root);
+}
+
+} // namespace
+
+std::expected<Document, Error> readXml(std::string_view text, const std::filesystem::path& file) {
+  if (text.size() > kLargestXml)
+    return std::unexpected(Error{{file}, "the file is larger than 16 MiB"});
+  auto root = readAsNamed(text, file);
+  if (root) return Document{std::move(*root), true};
+  const auto repaired = repairXml(text);
+  if (repaired.text == text) return std::unexpected(root.error());
+  auto again = Reader(file, "UTF-8", repaired.added).read(repaired.text);
+  if (!again) return std::unexpected(again.error());
+  return Document{std::move(*again), false};
 }
 
 } // namespace proskill::bridge::bt

@@ -20,14 +20,19 @@ struct Element {
   [[nodiscard]] const std::string* attribute(std::string_view called) const;
 };
 
+struct Document {
+  Element root;
+  bool isWellFormed = true; ///< otherwise it is one that BehaviorTree.CPP reads all the same
+};
+
 inline constexpr std::size_t kDeepestXml = 250;
 inline constexpr std::size_t kLargestXml = 16 << 20; ///< bytes
 inline constexpr std::size_t kMostElements = 200'000;
 
 /// Reads a document in UTF-8, UTF-16, ISO-8859-1 or US-ASCII, as it says; as UTF-8 if it says
 /// something else. Declarations of document types, and so of entities, are rejected.
-/// \return the root element, or the first error
-[[nodiscard]] std::expected<Element, Error> readXml(std::string_view text,
-                                                    const std::filesystem::path& file);
+/// \return the document, or the first error
+[[nodiscard]] std::expected<Document, Error> readXml(std::string_view text,
+                                                     const std::filesystem::path& file);
 
 } // namespace proskill::bridge::bt
