@@ -12,18 +12,24 @@ Form Body::nextTick(bool atOnce) const {
 void Body::loop(const Node& node, const Exit& success, const Exit& failure) {
   const auto at = statements.size();
   const auto rounds = roundsOf(node);
-  if (vocabulary.turn && node.kind != Kind::KeepRunning && rounds != 1)
-    vocabulary.approximate(node, "a tick may begin several rounds");
   const auto& port = node.port(node.kind == Kind::Repeat ? "num_cycles" : "num_attempts");
-  if (node.kind == Kind::KeepRunning || rounds == -1)
-    endlessLoop(node, node.kind == Kind::Retry ? success : failure);
-  else if (rounds && *rounds > 0 && *rounds <= 1'000'000)
-    countedLoop(node, *rounds, success, failure);
-  else if (port.starts_with('{'))
-    anyLoop(node, success, failure);
-  else
-    vocabulary.fail(
+  const bool isEndless = node.kind == Kind::KeepRunning || rounds == -1;
+  const bool isCounted = !isEndless && rounds && *rounds > 0 && *rounds <= 1'000'000;
+  if (!isEndless && !isCounted && !port.starts_with('{'))
+    return vocabulary.fail(
         node, fmt::format("`{}` needs a number of rounds from 1 to 1,000,000, or -1", node.id));
+  const auto ends = traits.ends(node.children.front());
+  const bool repeats = node.kind == Kind::Retry ? ends.failure : ends.success;
+  if (repeats && vocabulary.turn && node.kind != Kind::KeepRunning && rounds != 1)
+    vocabulary.approximate(node, "a tick may begin several rounds");
+  if (!repeats)
+    this->node(node.children.front(), success, failure); // whose only result ends the loop
+  else if (isEndless)
+    endlessLoop(node, node.kind == Kind::Retry ? success : failure);
+  else if (isCounted)
+    countedLoop(node, *rounds, success, failure);
+  else
+    anyLoop(node, success, failure);
   commentAt(at, node);
 }
 

@@ -346,6 +346,22 @@ TEST_CASE("built-in nodes keep their meaning in the explicit form") {
   CHECK(contains(textOf(treeOf("<Action ID=\"GoalReached\"/>")), "(defskill GoalReached"));
 }
 
+TEST_CASE("a loop whose child ends it in the first round is its child") {
+  for (const auto* loop : {"<Repeat num_cycles=\"-1\">%</Repeat>", "<Repeat num_cycles=\"3\">%</Repeat>",
+                           "<Repeat num_cycles=\"{n}\">%</Repeat>",
+                           "<KeepRunningUntilFailure>%</KeepRunningUntilFailure>"}) {
+    std::string node = loop;
+    node.replace(node.find('%'), 1, "<Sequence><A/><AlwaysFailure/></Sequence>");
+    CAPTURE(node);
+    const auto program = analysis::load(MemoryFiles({{"p", textOf(treeOf(node))}}), "p");
+    CHECK(analysis::check(program).empty());
+    for (const auto& found : analysis::flow::inspect(program)) {
+      CAPTURE(found.message);
+      CHECK(found.severity == syntax::Severity::Hint);
+    }
+  }
+}
+
 TEST_CASE("ports have the values that TreeNodesModel gives them by default") {
   const auto model = [](const std::string& models) {
     return "</BehaviorTree><TreeNodesModel>" + models + "</TreeNodesModel>\n";
