@@ -145,6 +145,49 @@ class Plans(unittest.TestCase):
             again = subprocess.run([PYTHON, "-c", read, str(out)], capture_output=True, text=True, check=False)
             self.assertEqual(again.stdout.split(), ["4", "1"], again.stderr)
 
+    def test_planners_that_know_no_times(self):
+        """They get skills in one step: what a start takes and the end gives back is no effect, and an invariant that
+        the start makes true is no precondition."""
+        text = """(defresource arm)
+(defsv n :init 0 :min 0 :max 5)
+(defsv lid :states (Shut Open) :init Shut)
+(defskill fill :precondition (few (< n 3)) :resources (arm) :start (lid Open) :invariant (open (:guard (lid Open)))
+  :time_interval [1,2] :action (f) :success done (:effects ((n (+ n 1)) (lid Shut))))
+"""
+        read = """import sys
+sys.path.insert(0, sys.argv[1])
+from unified_planning.io import PDDLReader
+from proskill.planning.classical import without_times
+from proskill.planning.planner import limited
+domain, problem = open(sys.argv[2]).read(), sys.argv[3]
+read = PDDLReader().parse_problem_string(limited(domain), open(problem).read())
+without_times(read)
+for action in read.actions:
+    print(action.preconditions, [str(each) for each in action.effects])"""
+        with tempfile.TemporaryDirectory() as folder:
+            path = changed(text, folder)
+            for name, words in (("domain", []), ("problem", ["--goal", "(= n 2)"])):
+                out = subprocess.run([PROGRAM, "emit", "pddl", *words, str(path)], capture_output=True, check=True).stdout
+                (pathlib.Path(folder) / name).write_bytes(out)
+            command = [PYTHON, "-c", read, str(ROOT / "python"), f"{folder}/domain", f"{folder}/problem"]
+            done = subprocess.run(command, capture_output=True, text=True, check=False)
+        self.assertEqual(done.stderr, "")
+        self.assertNotIn("lid", done.stdout.split("[", 2)[1], done.stdout)
+        self.assertIn("fill-is-idle", done.stdout)
+        self.assertNotIn("'arm-left", done.stdout)
+        self.assertNotIn("'fill-is-idle :=", done.stdout.replace("fill-is-idle := true", ""))
+        self.assertIn("n := (n + 1)", done.stdout)
+
+    def test_a_planner_that_is_not_installed_is_named(self):
+        for planner, package in (("enhsp", "up_enhsp"), ("fast-downward", "up_fast_downward")):
+            found = subprocess.run([PYTHON, "-c", f"import {package}"], capture_output=True, check=False).returncode == 0
+            done = plan(GOAL, SURVEY, "--planner", planner)
+            with self.subTest(planner):
+                if found:
+                    self.assertIn("verified: every run", done.stderr)
+                else:
+                    self.assertIn(f"{planner}: not installed (pip install {package.replace('_', '-')})", done.stderr)
+
     def test_a_wrong_goal(self):
         done = plan("(area Painted)", SURVEY)
         self.assertEqual(done.returncode, 2)

@@ -15,7 +15,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import List, Optional
 
-PLANNERS = ("aries", "tamer", "enhsp", "fast-downward")
+PLANNERS = {"aries": "up-aries", "tamer": "up-tamer", "enhsp": "up-enhsp", "fast-downward": "up-fast-downward"}
+
+WITHOUT_TIMES = ("enhsp", "fast-downward")
 
 
 @dataclass
@@ -110,18 +112,46 @@ def main(engine: str, folder: str, seconds: str, megabytes: str) -> None:
     problem = PDDLReader().parse_problem(os.path.join(folder, "domain.pddl"), os.path.join(folder, "problem.pddl"))
     if engine == "aries":
         suit_aries(problem)
+    if engine in WITHOUT_TIMES:
+        sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, os.pardir))
+        from proskill.planning.classical import without_times
+
+        without_times(problem)
     log = os.path.join(folder, "log")
     with open(log, "w", encoding="utf-8") as output:  # without this, Aries leaves a file in /tmp
         try:
             with OneshotPlanner(name=engine) as planner:
                 result = planner.solve(problem, timeout=float(seconds), output_stream=output)
         except Exception as error:  # pylint: disable=broad-exception-caught
-            words = panic_in(log) or str(error).partition("\n")[0]
+            words = panic_in(log) or reason_of(error, engine, problem)
             return print(json.dumps({"status": "unknown", "plan": [], "words": words}))
+    if not result.plan and result.status == Status.INTERNAL_ERROR and engine in WITHOUT_TIMES:
+        words = lacking(engine, problem) or "internal error"
+        return print(json.dumps({"status": "unknown", "plan": [], "words": words}))
     proved = (Status.UNSOLVABLE_PROVEN, Status.UNSOLVABLE_INCOMPLETELY)
     status = "solved" if result.plan else "unsolvable" if result.status in proved else "unknown"
     words = "" if result.plan else result.status.name.lower().replace("_", " ")
     print(json.dumps({"status": status, "plan": steps_of(result.plan), "words": words}))
+
+
+def reason_of(error: Exception, engine: str, problem) -> str:  # type: ignore[no-untyped-def]
+    from unified_planning.exceptions import UPNoRequestedEngineAvailableException as NotInstalled
+
+    if isinstance(error, NotInstalled):
+        return f"not installed (pip install {PLANNERS[engine]})"
+    if engine in WITHOUT_TIMES and (words := lacking(engine, problem)):
+        return words
+    lines = [line.strip() for line in str(error).splitlines() if line.strip()]
+    return lines[0] if lines else type(error).__name__
+
+
+def lacking(engine: str, problem) -> str:  # type: ignore[no-untyped-def]
+    """What a problem has that a planner does not know."""
+    from unified_planning.shortcuts import get_environment
+
+    known = get_environment().factory.engine(engine).supported_kind().features
+    missing = sorted(each.lower().replace("_", " ") for each in problem.kind.features - known)
+    return f"it does not know {', '.join(missing)}" if missing else ""
 
 
 def suit_aries(problem) -> None:  # type: ignore[no-untyped-def]
