@@ -29,6 +29,9 @@ struct Tally {
   std::int64_t needed = 1;
   Exit exit;
 
+  /// Whether the branch ends without ending the node.
+  [[nodiscard]] bool goesOn() const { return exit.next() || !counter.empty(); }
+
   [[nodiscard]] Block statements() const {
     if (counter.empty()) return exit.jump;
     Form test = list("if", list(">=", counter, std::to_string(needed)));
@@ -60,8 +63,12 @@ Block Composites::parallel(const Node& node) {
   const auto good = allMust ? Tally{} : tally(thresholds->successes, "_successes", succeed());
   const auto bad = oneSuffices ? Tally{} : tally(thresholds->failures, "_failures", fail());
   append(statements, branches(node, {good.statements()}, {bad.statements()}));
-  if (allMust && ends.success) append(statements, succeed().jump);
-  if (!allMust && ends.failure) append(statements, fail().jump);
+  const bool allEnd = std::ranges::all_of(node.children, [&](const Node& child) {
+    const auto [succeeds, fails] = traits.ends(child);
+    return (succeeds && good.goesOn()) || (fails && bad.goesOn());
+  });
+  if (allEnd && allMust && ends.success) append(statements, succeed().jump);
+  if (allEnd && !allMust && ends.failure) append(statements, fail().jump);
   return statements;
 }
 

@@ -103,9 +103,10 @@ Block Body::lasting(Form wait) const {
   if (marks.empty() || wait == list("^", "0")) return {std::move(wait)};
   const auto& until = wait.parts.back();
   Block block;
-  if (until.word.empty() || until.word.starts_with("[0,")) { // it may be over at once
+  if (until.word.empty() || until.word.starts_with("[0,")) {  // it may be over at once
+    const bool isHaltedByRace = turn && turn->halted.empty(); // so nothing else ends it
     const Block runs{list("set", vocabulary.marksBecome("1")),
-                     list("^", list("=", marks.front(), "0"))};
+                     list("^", isHaltedByRace ? Form("false") : list("=", marks.front(), "0"))};
     block = {list("race", Form(Block{wait}), Form(runs))};
   } else if (turn && !turn->halted.empty()) {
     const auto over = vocabulary.names.take("over");
@@ -215,7 +216,8 @@ Block Composites::inTurnOnce(const Node& part, const Turn& turn, const Exit& ear
   vocabulary.marks.pop_back();
   vocabulary.turn = outer;
   if (maySkip(part)) body.statements.push_back(list("label", next));
-  append(body.statements, after);
+  const auto ends = traits.ends(part);
+  if ((isSequence ? ends.success : ends.failure) || maySkip(part)) append(body.statements, after);
   return body.statements;
 }
 

@@ -102,8 +102,7 @@ JsonPlaces::JsonPlaces(std::string_view text, std::filesystem::path file)
 void JsonPlaces::note(const std::string& path, std::size_t byte, bool isMember) {
   const bool isNew = places.insert_or_assign(path, byte).second;
   if (isNew || !isMember) return;
-  if (repetitions.size() < kMostRepeated)
-    repetitions.emplace_back(path, placeIn(text, byte, file));
+  if (repetitions.size() < kMostRepeated) repetitions.emplace_back(path, placeIn(text, byte, file));
   // What the earlier member contains is not in the parsed text.
   const auto first = places.lower_bound(path + "/");
   places.erase(first, places.lower_bound(path + "0")); // '0' follows '/'

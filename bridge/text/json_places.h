@@ -18,8 +18,8 @@ public:
   /// \pre the text is JSON
   JsonPlaces(std::string_view text, std::filesystem::path file);
 
-  /// The key of a member, or an element of a list. What lies deeper than people write is at the part
-  /// around it.
+  /// The key of a member, or an element of a list. What lies deeper than people write is at the
+  /// part around it.
   [[nodiscard]] Place of(std::string path) const;
   /// The members whose names their objects have more than once, with their paths.
   [[nodiscard]] const std::vector<std::pair<std::string, Place>>& repeated() const {

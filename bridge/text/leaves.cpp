@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kLongest = 1e6; // seconds
+constexpr double kLongest = 1e6;         // seconds
 constexpr std::size_t kMostErrors = 100; // more of them help nobody
 constexpr auto kSeconds = "must be a number of seconds, at most 1e6";
 

@@ -157,8 +157,9 @@ TEST_CASE("A natural that each branch counts up once stays in its range") {
                            "((^ 1) (set (n (+ n 1)))))) ((t)))"))
             .empty());
   // It is not set before each round.
-  CHECK(codes(program("2", "(set (n 0)) (while true (// ((^ 1) (set (n (+ n 1)))) ((t))) (^ 1))")) ==
-        "PS0610PS0505"); // and the loop never ends
+  CHECK(
+      codes(program("2", "(set (n 0)) (while true (// ((^ 1) (set (n (+ n 1)))) ((t))) (^ 1))")) ==
+      "PS0610PS0505"); // and the loop never ends
   // A branch counts in a loop.
   CHECK(codes(program("9", "(set (n 0)) (// ((while true (^ 1) (set (n (+ n 1))))) ((t)))")) ==
         "PS0610PS0505");

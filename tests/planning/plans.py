@@ -146,8 +146,8 @@ class Plans(unittest.TestCase):
             self.assertEqual(again.stdout.split(), ["4", "1"], again.stderr)
 
     def test_planners_that_know_no_times(self):
-        """They get skills in one step: what a start takes and the end gives back is no effect, and an invariant that
-        the start makes true is no precondition."""
+        """They get skills in one step: what a start takes and the end gives back does not change, and an invariant that
+        the start makes true is not required before it."""
         text = """(defresource arm)
 (defsv n :init 0 :min 0 :max 5)
 (defsv lid :states (Shut Open) :init Shut)

@@ -56,7 +56,7 @@ const std::string& tag(const Element& element) {
   if (element.name == "Control" || element.name == "Decorator") return *id;
   const bool isLeaf = element.name == "Action" || element.name == "Condition";
   const auto* known = isLeaf ? builtIn(*id) : nullptr;
-  // Conditions of Nav2 are no part of BehaviorTree.CPP: another action may have the name of one.
+  // BehaviorTree.CPP does not contain the conditions of Nav2: an action may have such a name.
   const bool isOfOthers = known != nullptr && known->kind == Kind::Condition &&
                           *id != "ScriptCondition" && *id != "WasEntryUpdated";
   return known != nullptr && !isOfOthers ? *id : element.name;

@@ -61,7 +61,8 @@ private:
 
   Node use(Node result, const Node& node, const Scope& scope, std::size_t depth) {
     if (!forest.trees.contains(node.id)) {
-      fail(node, fmt::format("there is no tree `{}`; if it is in another file, `include` that", node.id));
+      fail(node,
+           fmt::format("there is no tree `{}`; if it is in another file, `include` that", node.id));
     } else if (std::ranges::find(open, node.id) != open.end()) {
       fail(node, fmt::format("the tree `{}` contains itself", node.id));
     } else {

@@ -76,7 +76,8 @@ struct Node {
 
 /// What BehaviorTree.CPP reads as a true value.
 [[nodiscard]] bool isTrue(std::string_view value);
-/// Whether the value of a port is an entry of the blackboard: `{entry}`, or `${entry}` in version 3.
+/// Whether the value of a port is an entry of the blackboard: `{entry}`, or `${entry}` in
+/// version 3.
 [[nodiscard]] bool isEntry(std::string_view value);
 
 struct Tree {

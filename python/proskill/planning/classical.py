@@ -46,7 +46,7 @@ def values_after(before: Dict[Any, Any], effects: List[Any], problem: Any) -> Di
         value = effect.value.substitute(before)
         if effect.is_increase() or effect.is_decrease():
             known = before.get(effect.fluent, effect.fluent)
-            opposite = known.args if known.is_plus() or known.is_minus() else ()
+            opposite: Any = known.args if known.is_plus() or known.is_minus() else ()
             if len(opposite) == 2 and opposite[1] == value and known.is_minus() == effect.is_increase():
                 value = opposite[0]  # what the start has taken, and the end gives back
             else:

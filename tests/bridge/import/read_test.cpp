@@ -1,10 +1,7 @@
-#include "analysis/flow/inspect.h"
 #include "analysis/program/program.h"
 #include "bridge/bt/import.h"
 #include "bridge/bt/read/script.h"
-#include "syntax/diagnostics/codes.h"
-#include "tests/bridge/errors_text.h"
-#include "tests/support/memory_files.h"
+#include "tests/bridge/import/trees.h"
 
 #include <catch2/catch.hpp>
 
@@ -16,34 +13,13 @@ using namespace proskill::test;
 using bridge::Leaves;
 using bridge::bt::importTree;
 
-namespace {
+namespace read_trees {
 
-std::string rooted(const std::string& inner, const std::string& attributes = "") {
-  return "<root BTCPP_format=\"4\"" + attributes + ">\n" + inner + "</root>\n";
-}
-
-std::string treeOf(const std::string& node) {
-  return rooted("<BehaviorTree ID=\"Main\">\n" + node + "\n</BehaviorTree>\n");
-}
-
-std::string errorsIn(const std::map<std::string, std::string>& files) {
-  return errorsText(importTree(MemoryFiles(files), "main.xml", Leaves(), {}));
-}
-
-std::string errorsIn(const std::string& xml) { return errorsIn({{"main.xml", xml}}); }
-
-std::string textOf(const std::string& xml, const std::string& leaves = "{}") {
-  const auto imported =
-      importTree(MemoryFiles({{"main.xml", xml}}), "main.xml", *Leaves::read(leaves), {});
-  REQUIRE(imported);
-  return imported->text;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-} // namespace
+using test::trees::contains;
+using test::trees::errorsIn;
+using test::trees::rooted;
+using test::trees::textOf;
+using test::trees::treeOf;
 
 TEST_CASE("errors in a tree have places") {
   CHECK(errorsIn(treeOf("<Sequence/>")) ==
@@ -64,8 +40,9 @@ TEST_CASE("errors in a tree have places") {
         "main.xml:3:1: a `SequenceWithMemory` whose children may all be skipped is not "
         "supported\n");
   CHECK(errorsIn(treeOf("<Sequence><A/><B _skipIf=\"x\"/></Sequence>")) == "none");
-  CHECK(errorsIn(treeOf("<A _whille=\"x\"/>")) ==
-        "main.xml:3:1: `_whille` is not an attribute of BehaviorTree.CPP; did you mean `_while`?\n");
+  CHECK(
+      errorsIn(treeOf("<A _whille=\"x\"/>")) ==
+      "main.xml:3:1: `_whille` is not an attribute of BehaviorTree.CPP; did you mean `_while`?\n");
   CHECK(errorsIn(treeOf("<RunOnce then_skip=\"maybe\"><A/></RunOnce>")) ==
         "main.xml:3:1: `then_skip` must be `true` or `false`\n");
   CHECK(errorsIn(treeOf("<Precondition if=\"x\" else=\"no\"><A/></Precondition>")) ==
@@ -160,7 +137,8 @@ TEST_CASE("ports that a model does not declare are named") {
 TEST_CASE("trees and files that contain themselves are errors") {
   CHECK(errorsIn(treeOf("<SubTree ID=\"Main\"/>")) ==
         "main.xml:3:1: the tree `Main` contains itself\n");
-  CHECK(errorsIn(treeOf("<SubTree ID=\"Other\"/>")) == "main.xml:3:1: there is no tree `Other`; if it is in another file, `include` that\n");
+  CHECK(errorsIn(treeOf("<SubTree ID=\"Other\"/>")) ==
+        "main.xml:3:1: there is no tree `Other`; if it is in another file, `include` that\n");
   CHECK(errorsIn({{"main.xml", rooted("<include path=\"b.xml\"/>\n")},
                   {"b.xml", rooted("<include path=\"main.xml\"/>\n")}}) ==
         "b.xml:2:1: `main.xml` includes itself\n");
@@ -252,167 +230,6 @@ TEST_CASE("the file of leaves says how long actions take and how they end") {
   CHECK(contains(text, "(defskill A\n  :time_interval [0.5,2]\n  :action (A)\n  :success done)"));
   CHECK(contains(text, ":init (Yes No)"));
   CHECK(contains(text, "(^ ]0,0.01])"));
-}
-
-TEST_CASE("nothing is reported about the counters of parallel nodes") {
-  const auto text =
-      textOf(treeOf("<Repeat num_cycles=\"3\"><ParallelAll max_failures=\"2\">"
-                    "<Parallel success_count=\"2\" failure_count=\"2\"><A/><B/><C/></Parallel>"
-                    "<Fallback><Sequence><D/><E/></Sequence><F/></Fallback>"
-                    "<ParallelAll max_failures=\"2\"><G/><H/><I/></ParallelAll>"
-                    "</ParallelAll></Repeat>"));
-  const auto program = analysis::load(MemoryFiles({{"p", text}}), "p");
-  REQUIRE(analysis::check(program).empty());
-  for (const auto& found : analysis::flow::inspect(program)) {
-    CAPTURE(found.message);
-    CHECK(found.severity == syntax::Severity::Hint);
-    CHECK(syntax::info(found.code).id != "PS0902");
-  }
-}
-
-TEST_CASE("texts between elements are named, not those in models") {
-  const auto imported = importTree(
-      MemoryFiles({{"main.xml",
-                    rooted("<BehaviorTree ID=\"Main\"><Sequence>>\n<A/><![CDATA[x]]></Sequence>"
-                           "</BehaviorTree><TreeNodesModel><Action ID=\"A\"><input_port name=\"p\">"
-                           "what it means</input_port></Action></TreeNodesModel>")}}),
-      "main.xml", Leaves(), {});
-  REQUIRE(imported);
-  REQUIRE(imported->summary.size() == 2);
-  CHECK(imported->summary[0] == "main.xml:2:35: a text between elements has no effect");
-}
-
-TEST_CASE("a file is read in the encoding that it names") {
-  const auto tree = [](const std::string& encoding, const std::string& name) {
-    return "<?xml version=\"1.0\" encoding=\"" + encoding + "\"?>\n" +
-           treeOf("<A p=\"" + name + "\"/>");
-  };
-  const auto* accented = "(A \"\xC3\xA9\")";
-  CHECK(contains(textOf(tree("UTF-8", "\xC3\xA9")), accented));
-  CHECK(contains(textOf("\xEF\xBB\xBF" + tree("utf-8", "\xC3\xA9")), accented));
-  CHECK(contains(textOf(tree("ISO-8859-1", "\xE9")), accented));
-  std::string wide = "\xFF\xFE";
-  for (const char c : tree("UTF-16", "\xE9")) wide += std::string{c, '\0'};
-  CHECK(contains(textOf(wide), accented));
-  // Editors save files as UTF-8 and leave another name in them.
-  CHECK(contains(textOf(tree("UTF-16", "\xC3\xA9")), accented));
-  CHECK(contains(textOf(tree("utf8", "\xC3\xA9")), accented));
-  CHECK(contains(errorsIn(tree("windows-1252", "\xE9")), "unknown encoding"));
-  CHECK(contains(errorsIn(tree("UTF-8", "\xE9")), "main.xml:4:7: not well-formed XML"));
-}
-
-TEST_CASE("what is not well-formed is read as BehaviorTree.CPP reads it") {
-  const std::string text =
-      "\n <?xml version=\"1.0\"?>\n<!-- a -- b ---><root BTCPP_format=\"4\">"
-      "<BehaviorTree ID=\"Main\"><Sequence>\n"
-      "<Precondition if=\"a<3 && b\"><A p=\"&lt;&#65;&\"/>"
-      "</Precondition><B p='x&amp;&y' _x=\"\"/></Sequence></BehaviorTree></root>";
-  const auto imported = importTree(MemoryFiles({{"main.xml", text}}), "main.xml", Leaves(), {});
-  REQUIRE(imported);
-  CHECK(contains(imported->text, "(A \"<A&\")"));
-  CHECK(contains(imported->summary[1], "main.xml:3:17: not well-formed XML"));
-  CHECK(contains(imported->text, "(B \"x&&y\")"));
-  // Columns are those of the file.
-  CHECK(contains(imported->text, "; from main.xml:4:29 A"));
-  CHECK(contains(imported->text, "; from main.xml:4:63 B"));
-  CHECK(errorsIn(treeOf("<Sequence if=\"a && b\"><A></Sequence>")) ==
-        "main.xml:3:28: not well-formed XML: mismatched tag\n");
-  CHECK(errorsIn(treeOf("<A x=\"a && b/>")) ==
-        "main.xml:3:1: not well-formed XML: unclosed token\n");
-}
-
-TEST_CASE("attributes that only editors know are named, once") {
-  const auto imported = importTree(
-      MemoryFiles({{"main.xml", treeOf("<Sequence>\n<A _collapsed=\"1\"/>\n<B _collapsed=\"0\"/>"
-                                       "</Sequence>")}}),
-      "main.xml", Leaves(), {});
-  REQUIRE(imported);
-  CHECK(imported->exact);
-  CHECK(std::ranges::count(imported->summary,
-                           "main.xml:4:1: `_collapsed` is not an attribute of BehaviorTree.CPP, and "
-                           "has no effect") == 1);
-}
-
-TEST_CASE("built-in nodes keep their meaning in the explicit form") {
-  const auto text = textOf(treeOf(
-      "<Control ID=\"Fallback\"><Action ID=\"AlwaysFailure\"/><Action ID=\"Sleep\" msec=\"20\"/>"
-      "<Action ID=\"Script\" code=\"a := 1\"/><Condition ID=\"Near\"/></Control>"));
-  CHECK_FALSE(contains(text, "(defskill AlwaysFailure"));
-  CHECK_FALSE(contains(text, "(defskill Script"));
-  CHECK(contains(text, "(^ 0.02)"));
-  CHECK(errorsIn(treeOf("<Action ID=\"Script\"/>")) ==
-        "main.xml:3:1: `Script` needs an attribute `code`\n");
-  // Nav2 has a condition with this name; here it is an action.
-  CHECK(contains(textOf(treeOf("<Action ID=\"GoalReached\"/>")), "(defskill GoalReached"));
-}
-
-TEST_CASE("a loop whose child ends it in the first round is its child") {
-  for (const auto* loop : {"<Repeat num_cycles=\"-1\">%</Repeat>", "<Repeat num_cycles=\"3\">%</Repeat>",
-                           "<Repeat num_cycles=\"{n}\">%</Repeat>",
-                           "<KeepRunningUntilFailure>%</KeepRunningUntilFailure>"}) {
-    std::string node = loop;
-    node.replace(node.find('%'), 1, "<Sequence><A/><AlwaysFailure/></Sequence>");
-    CAPTURE(node);
-    const auto program = analysis::load(MemoryFiles({{"p", textOf(treeOf(node))}}), "p");
-    CHECK(analysis::check(program).empty());
-    for (const auto& found : analysis::flow::inspect(program)) {
-      CAPTURE(found.message);
-      CHECK(found.severity == syntax::Severity::Hint);
-    }
-  }
-}
-
-TEST_CASE("ports have the values that TreeNodesModel gives them by default") {
-  const auto model = [](const std::string& models) {
-    return "</BehaviorTree><TreeNodesModel>" + models + "</TreeNodesModel>\n";
-  };
-  const auto tree = [&](const std::string& nodes, const std::string& models) {
-    return textOf(rooted("<BehaviorTree ID=\"Main\"><Sequence>\n" + nodes + "</Sequence>\n" +
-                         model(models)));
-  };
-  const std::string drive = "<Action ID=\"Drive\"><input_port name=\"speed\" default=\"3\"/>"
-                            "<input_port name=\"to\"/><inout_port name=\"pose\" default=\"{=}\"/>"
-                            "<output_port name=\"log\" default=\"none\"/>"
-                            "<output_port name=\"end\" default=\"{here}\"/></Action>";
-  // An output has its default only if that is an entry of the blackboard.
-  CHECK(contains(tree("<Drive/>", drive),
-                 ":action (Drive \"{here}\" \"{pose}\" \"3\")"));
-  CHECK(contains(tree("<Drive speed=\"\" end=\"{x}\" log=\"{y}\"/>", drive),
-                 ":action (Drive \"{x}\" \"{y}\" \"{pose}\" \"\")"));
-  // Conditions with the same ports are one.
-  const std::string near = "<Condition ID=\"Near\"><input_port name=\"at\" default=\"2\"/>"
-                           "</Condition>";
-  CHECK_FALSE(contains(tree("<Near/><Near at=\"2\"/>", near), "(defsv Near_2"));
-  CHECK(contains(tree("<Near/><Near at=\"3\"/>", near), "(defsv Near_2"));
-}
-
-TEST_CASE("subtrees need a value for each port that has none by default") {
-  const auto files = [](const std::string& use, const std::string& format = "4") {
-    return "<root BTCPP_format=\"" + format +
-           "\" main_tree_to_execute=\"Main\"><BehaviorTree ID=\"Main\">\n" + use +
-           "</BehaviorTree><BehaviorTree ID=\"Go\"><Drive to=\"{to}\" by=\"{by}\"/>"
-           "</BehaviorTree><TreeNodesModel><SubTree ID=\"Go\"><input_port name=\"to\"/>"
-           "<input_port name=\"by\" default=\"road\"/></SubTree></TreeNodesModel></root>";
-  };
-  CHECK(errorsIn(files("<SubTree ID=\"Go\"/>")) ==
-        "main.xml:2:1: `Go` needs a value for its port `to`: `TreeNodesModel` declares it without "
-        "a default\n");
-  CHECK(contains(textOf(files("<SubTree ID=\"Go\" to=\"{=}\"/>")),
-                 "(Drive \"road\" \"{to}\")"));
-  CHECK(contains(textOf(files("<SubTree ID=\"Go\" to=\"home\" by=\"{way}\"/>")),
-                 "(Drive \"{way}\" \"home\")"));
-  // Remapped ports have no default, and version 3 has no models of subtrees.
-  CHECK(contains(textOf(files("<SubTree ID=\"Go\" _autoremap=\"True\"/>")),
-                 "(Drive \"{by}\" \"{to}\")"));
-  CHECK(errorsIn(files("<SubTree ID=\"Go\"/>", "3")) == "none");
-}
-
-TEST_CASE("a port with the value {=} is the entry of its name in its own subtree") {
-  const auto text = textOf(
-      rooted("<BehaviorTree ID=\"Main\"><Sequence><SubTree ID=\"Go\"/><SubTree ID=\"Go\"/></Sequence>"
-             "</BehaviorTree><BehaviorTree ID=\"Go\"><Condition ID=\"At\" x=\"{=}\"/></BehaviorTree>",
-             " main_tree_to_execute=\"Main\""));
-  CHECK(contains(text, "(defsv At_2"));
 }
 
 TEST_CASE("the summary names what was approximated") {
@@ -536,3 +353,5 @@ TEST_CASE("a tree of Nav2 is imported, with its own nodes and conditions") {
   CHECK(errorsIn(treeOf("<RecoveryNode number_of_retries=\"x\"><A/><B/></RecoveryNode>")) ==
         "main.xml:3:1: `number_of_retries` must be a number from 0 to 1,000,000\n");
 }
+
+} // namespace read_trees

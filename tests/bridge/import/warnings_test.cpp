@@ -1,0 +1,61 @@
+#include "analysis/flow/inspect.h"
+#include "analysis/program/program.h"
+#include "syntax/diagnostics/codes.h"
+#include "tests/bridge/import/trees.h"
+
+#include <catch2/catch.hpp>
+
+using namespace proskill;
+using namespace proskill::test;
+
+namespace warnings_of_imports {
+
+using test::trees::textOf;
+using test::trees::treeOf;
+
+TEST_CASE("nothing is reported about the counters of parallel nodes") {
+  const auto text =
+      textOf(treeOf("<Repeat num_cycles=\"3\"><ParallelAll max_failures=\"2\">"
+                    "<Parallel success_count=\"2\" failure_count=\"2\"><A/><B/><C/></Parallel>"
+                    "<Fallback><Sequence><D/><E/></Sequence><F/></Fallback>"
+                    "<ParallelAll max_failures=\"2\"><G/><H/><I/></ParallelAll>"
+                    "<Parallel success_count=\"2\" failure_count=\"1\"><J/><K/>"
+                    "<ForceFailure><L/></ForceFailure></Parallel>"
+                    "</ParallelAll></Repeat>"));
+  const auto program = analysis::load(MemoryFiles({{"p", text}}), "p");
+  REQUIRE(analysis::check(program).empty());
+  for (const auto& found : analysis::flow::inspect(program)) {
+    CAPTURE(found.message);
+    CHECK(found.severity == syntax::Severity::Hint);
+    CHECK(syntax::info(found.code).id != "PS0902");
+  }
+}
+
+TEST_CASE("there are no warnings about the turns of reactive nodes") {
+  const auto text = textOf(
+      treeOf("<ReactiveSequence><M/><Repeat num_cycles=\"-1\"><N/></Repeat></ReactiveSequence>"));
+  const auto program = analysis::load(MemoryFiles({{"p", text}}), "p");
+  for (const auto& found : analysis::flow::inspect(program)) {
+    CAPTURE(found.message);
+    CHECK(found.severity == syntax::Severity::Hint);
+  }
+}
+
+TEST_CASE("a loop whose child ends it in the first round is its child") {
+  for (const auto* loop :
+       {"<Repeat num_cycles=\"-1\">%</Repeat>", "<Repeat num_cycles=\"3\">%</Repeat>",
+        "<Repeat num_cycles=\"{n}\">%</Repeat>",
+        "<KeepRunningUntilFailure>%</KeepRunningUntilFailure>"}) {
+    std::string node = loop;
+    node.replace(node.find('%'), 1, "<Sequence><A/><AlwaysFailure/></Sequence>");
+    CAPTURE(node);
+    const auto program = analysis::load(MemoryFiles({{"p", textOf(treeOf(node))}}), "p");
+    CHECK(analysis::check(program).empty());
+    for (const auto& found : analysis::flow::inspect(program)) {
+      CAPTURE(found.message);
+      CHECK(found.severity == syntax::Severity::Hint);
+    }
+  }
+}
+
+} // namespace warnings_of_imports
