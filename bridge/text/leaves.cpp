@@ -143,8 +143,11 @@ std::expected<Leaves, Errors> Leaves::read(std::string_view text,
     return LeavesReader(json, JsonPlaces(text, file)).read();
   } catch (const Json::parse_error& error) {
     return wrong(error.byte == 0 ? 0 : error.byte - 1, "the file is not JSON");
-  } catch (const Json::out_of_range&) {
-    return wrong(0, "a number of the file is too large");
+  } catch (const Json::out_of_range& error) { // its message ends with the number in quotes
+    const std::string_view message = error.what();
+    const auto begin = message.find('\'') + 1;
+    return wrong(text.find(message.substr(begin, message.rfind('\'') - begin)),
+                 "the number is too large");
   }
 }
 

@@ -116,6 +116,12 @@ FilePlace placeOfByte(std::string_view text, std::size_t byte) {
   return {static_cast<std::uint32_t>(line), static_cast<std::uint32_t>(column)};
 }
 
+/// Where the number is that the parser's message has in quotes at its end.
+std::size_t byteOfNumber(std::string_view text, std::string_view message) {
+  const auto begin = message.find('\'') + 1;
+  return text.find(message.substr(begin, message.rfind('\'') - begin));
+}
+
 } // namespace
 
 std::expected<JsonFile, FileErrors> JsonFile::parse(std::string_view text) {
@@ -129,6 +135,8 @@ std::expected<JsonFile, FileErrors> JsonFile::parse(std::string_view text) {
     return JsonFile(text, std::move(object));
   } catch (const Json::parse_error& error) {
     return wrong("it is not JSON", error.byte == 0 ? 0 : error.byte - 1);
+  } catch (const Json::out_of_range& error) {
+    return wrong("the number is too large", byteOfNumber(text, error.what()));
   }
 }
 

@@ -64,6 +64,7 @@ TEST_CASE("errors of a platform file are at the key or the value that is wrong")
         "1:22: `storm` may come again at once: let some time pass");
   CHECK(platformError(R"({"events": []})") == "1:12: `events` must be an object");
   CHECK(platformError("{\n\"events\": {,}}") == "2:12: it is not JSON");
+  CHECK(platformError("{\n\"time_scale\": 1e999}") == "2:15: the number is too large");
   CHECK(platformError("[]") == "1:1: it is not an object");
   CHECK(platformError(R"({"events": {"storm": null}})").empty());
 }
