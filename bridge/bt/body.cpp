@@ -59,6 +59,13 @@ void Body::scripted(const Node& node, const std::string& port, const Exit& exit)
 }
 
 void Body::plain(const Node& node, const Exit& success, const Exit& failure, const Skip& given) {
+  const bool outer = vocabulary.isRepeated;
+  vocabulary.isRepeated = outer || repeatsChildren(node.kind);
+  started(node, success, failure, given);
+  vocabulary.isRepeated = outer;
+}
+
+void Body::started(const Node& node, const Exit& success, const Exit& failure, const Skip& given) {
   const auto skip = maySkipInside(node) ? given : Skip();
   switch (node.kind) {
   case Kind::Action: return action(node, success, failure);
@@ -209,6 +216,8 @@ void Body::child(const Node& child, bool isSequence, const Exit& goOn, const Exi
 }
 
 void Body::withMemory(const Node& node, const Exit& success, const Exit& failure) {
+  if (!vocabulary.isRepeated && !std::ranges::all_of(node.children, maySkip))
+    return inOrder(node, true, success, failure, {}); // it never remembers anything
   const auto last = static_cast<std::int64_t>(node.children.size()) - 1;
   const auto memory = vocabulary.counter(node, "_at", std::max<std::int64_t>(last, 1));
   const auto end = failure.next() ? vocabulary.names.take("done") : std::string();

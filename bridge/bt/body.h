@@ -31,6 +31,9 @@ public:
   /// The same without regard to the scripts that decide about the node itself.
   void plain(const Node& node, const Exit& success, const Exit& failure, const Skip& given);
 
+  /// The same for one start of the node.
+  void started(const Node& node, const Exit& success, const Exit& failure, const Skip& given);
+
   /// The same for a child of a parallel node: its exits may count the end instead of jumping.
   void result(const Node& child, Exit success, Exit failure);
 
@@ -101,6 +104,8 @@ private:
 [[nodiscard]] Exit fail();
 /// `(failure skipped)`, the third outcome of a composite skill.
 [[nodiscard]] Exit skipped();
+/// Whether a node of this kind may start a child again, before it is started again itself.
+[[nodiscard]] bool repeatsChildren(Kind kind);
 /// Milliseconds in a port as seconds. Nothing if it is not a number.
 [[nodiscard]] std::optional<std::string> secondsIn(const std::string& port);
 

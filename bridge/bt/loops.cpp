@@ -2,11 +2,56 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace proskill::bridge::bt {
 
 Form Body::nextTick(bool atOnce) const {
   const auto& tick = vocabulary.leaves.tick;
   return list("^", (atOnce ? "[0," : "]0,") + (tick.empty() ? "...[" : tick + "]"));
+}
+
+bool repeatsChildren(Kind kind) {
+  switch (kind) {
+  case Kind::Action:
+  case Kind::Condition:
+  case Kind::Script:
+  case Kind::Sleep:
+  case Kind::AlwaysSuccess:
+  case Kind::AlwaysFailure:
+  case Kind::Sequence:
+  case Kind::SequenceWithMemory:
+  case Kind::Fallback:
+  case Kind::Parallel:
+  case Kind::ParallelAll:
+  case Kind::IfThenElse:
+  case Kind::Inverter:
+  case Kind::ForceSuccess:
+  case Kind::ForceFailure:
+  case Kind::Timeout:
+  case Kind::Delay:
+  case Kind::RunOnce:
+  case Kind::Precondition:
+  case Kind::TryCatch:
+  case Kind::SubTree: return false;
+  case Kind::ReactiveSequence:
+  case Kind::ReactiveFallback:
+  case Kind::WhileDoElse:
+  case Kind::Switch:
+  case Kind::Repeat:
+  case Kind::Retry:
+  case Kind::KeepRunning:
+  case Kind::Queue:
+  case Kind::Recovery:
+  case Kind::RoundRobin:
+  case Kind::Persistent:
+  case Kind::Pipeline:
+  case Kind::Nonblocking:
+  case Kind::PauseResume:
+  case Kind::Rate:
+  case Kind::Own: return true;
+  }
+  std::unreachable();
 }
 
 void Body::loop(const Node& node, const Exit& success, const Exit& failure) {

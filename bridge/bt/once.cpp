@@ -36,6 +36,7 @@ std::string Composites::whileTrue(const Node& node, const Form& until) {
 void Body::runOnce(const Node& node, const Exit& success, const Exit& failure, const Skip& skip) {
   const auto skips = thenSkips(node);
   if (!skips) return vocabulary.fail(node, "`then_skip` must be `true` or `false`");
+  if (!vocabulary.isRepeated) return this->node(node.children.front(), success, failure, skip);
   const auto at = statements.size();
   const auto ended = vocabulary.counter(node, "_ended", 2);
   const auto end = vocabulary.names.take("done");

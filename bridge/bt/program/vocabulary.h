@@ -66,6 +66,7 @@ public:
   std::vector<std::string> undeclared; ///< types of leaves that were taken as actions
   Block properties;
   std::optional<Turn> turn; ///< of the node that is being translated
+  bool isRepeated = false;  ///< that node may start several times
   /// Variables that are 1 while an action or a wait of this node runs.
   std::vector<std::string> marks;
 

@@ -10,6 +10,7 @@ using namespace proskill::test;
 
 namespace warnings_of_imports {
 
+using test::trees::contains;
 using test::trees::textOf;
 using test::trees::treeOf;
 
@@ -39,6 +40,25 @@ TEST_CASE("there are no warnings about the turns of reactive nodes") {
     CAPTURE(found.message);
     CHECK(found.severity == syntax::Severity::Hint);
   }
+}
+
+TEST_CASE("a node that starts once remembers nothing") {
+  const auto* once =
+      "<Sequence><SequenceWithMemory><A/><B/></SequenceWithMemory><RunOnce><C/></RunOnce>"
+      "<RunOnce then_skip=\"false\"><D/></RunOnce></Sequence>";
+  const auto text = textOf(treeOf("<Fallback><E/>" + std::string(once) + "</Fallback>"));
+  CHECK_FALSE(contains(text, "SequenceWithMemory_at"));
+  CHECK_FALSE(contains(text, "RunOnce_ended"));
+  const auto program = analysis::load(MemoryFiles({{"p", text}}), "p");
+  for (const auto& found : analysis::flow::inspect(program)) {
+    CAPTURE(found.message);
+    CHECK(found.severity == syntax::Severity::Hint);
+  }
+  const auto* twice =
+      "<Repeat num_cycles=\"2\"><SequenceWithMemory><A/><ForceSuccess><RunOnce "
+      "then_skip=\"false\"><B/></RunOnce></ForceSuccess></SequenceWithMemory></Repeat>";
+  CHECK(contains(textOf(treeOf(twice)), "SequenceWithMemory_at"));
+  CHECK(contains(textOf(treeOf(twice)), "RunOnce_ended"));
 }
 
 TEST_CASE("a loop whose child ends it in the first round is its child") {
