@@ -145,6 +145,27 @@ class Plans(unittest.TestCase):
             again = subprocess.run([PYTHON, "-c", read, str(out)], capture_output=True, text=True, check=False)
             self.assertEqual(again.stdout.split(), ["4", "1"], again.stderr)
 
+    def test_inputs_that_nothing_reads(self):
+        """They become inputs of the plan, and a mission calls it with a value for each."""
+        text = """(defsv place :states (Dock Bed) :init Dock)
+(defsv bed :states (Dry Wet) :init Dry)
+(defsv drops :init 1 :min 0 :max 9)
+(defskill go :input ($to place $speed float $why string) :action (go $to $speed) :success there (:effects (place $to)))
+(defskill pour :input ($much int $slow bool $from place $n drops) :precondition (there (place Bed))
+  :action (pour $much) :success done (:effects (bed Wet)))
+"""
+        with tempfile.TemporaryDirectory() as folder:
+            out = pathlib.Path(folder) / "mission.proskill"
+            done = plan("(bed Wet)", changed(text, folder), "--planner", "aries", "-o", str(out))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("(plan go_speed 0 go_why \"go_why\" pour_much 0 pour_slow true pour_from Dock pour_n 0)",
+                          " ".join(out.read_text(encoding="utf-8").split()))
+            for command in (["check", out], ["fmt", "--check", out], ["verify", out]):
+                checked = subprocess.run([PROGRAM, *command], capture_output=True, text=True, check=False)
+                self.assertEqual(checked.returncode, 0, checked.stdout + checked.stderr)
+            done = plan("(and (bed Wet) (bed Dry))", changed(text, folder))
+            self.assertEqual(done.returncode, 1, done.stderr)
+
     def test_planners_that_know_no_times(self):
         """They get skills in one step: what a start takes and the end gives back does not change, and an invariant that
         the start makes true is not required before it."""

@@ -2,6 +2,7 @@
 
 import argparse
 import os
+import subprocess
 import sys
 
 if __package__ in (None, ""):  # started by its path, without being installed
@@ -55,7 +56,9 @@ def program_of(arguments: argparse.Namespace, skill: str) -> str:
     """The program with the plan: it includes the file, as seen from the output."""
     folder = os.path.dirname(os.path.abspath(arguments.output)) if arguments.output else os.getcwd()
     included = os.path.relpath(os.path.abspath(arguments.file), folder)
-    return f"; A plan for {arguments.goal}, by `proskill plan`.\n\n(include \"{included}\")\n\n{skill}"
+    text = f"; A plan for {arguments.goal}, by `proskill plan`.\n\n(include \"{included}\")\n\n{skill}"
+    done = subprocess.run([arguments.proskill, "fmt", "-"], input=text, stdout=subprocess.PIPE, text=True, check=True)
+    return done.stdout
 
 
 def put(arguments: argparse.Namespace, text: str) -> None:

@@ -16,7 +16,7 @@ from proskill.planning.pddl import (Action, Domain, Impossible, Refused, Undecid
                                     words_of)
 from proskill.planning.planner import Planned, run_planner
 from proskill.planning.reach import can_reach
-from proskill.planning.skill import in_words, skill_of
+from proskill.planning.skill import in_words, main_of, skill_of
 
 MOST_ROUNDS = 20
 FIRST_SECONDS = 5  # for the verifier, before a planner is asked
@@ -116,7 +116,7 @@ class Loop:
             path = os.path.join(folder, "plan.proskill")
             with open(path, "w", encoding="utf-8") as file:
                 file.write(program_with(self.settings, skill, self.world(actions), folder))
-            report = verify(self.settings.proskill, path, self.settings.name)
+            report = verify(self.settings.proskill, path, main_of(self.settings.name, skill))
         rows = [row for row in report["properties"] if self.matters(row, actions)]
         for row in rows:
             if row["verdict"] == "inconclusive":

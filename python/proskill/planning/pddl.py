@@ -112,6 +112,12 @@ class Domain:
         parts = [self.condition(each) for each in term[1:]]
         return f"({head} {' '.join(parts)})" if all(parts) else ""
 
+    def example(self, name: str, kind: str) -> str:
+        """A value of a type, for an input that nothing reads."""
+        known = {"string": f'"{name}"', "bool": "true"}
+        values = [words[len(kind) + 2:-1] for words in self.atoms.values() if words.startswith(f"({kind} ")]
+        return known.get(kind) or (values or ["0"])[0]
+
     def with_constraints(self, pairs: List[Tuple[str, str]]) -> str:
         """The domain in which no two skills of a pair run at the same time."""
         text = self.text

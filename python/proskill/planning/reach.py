@@ -9,6 +9,7 @@ import tempfile
 from typing import Dict, List, Optional, Tuple
 
 from proskill.planning.pddl import Action, Domain
+from proskill.planning.skill import main_of, start_of
 
 Values = Tuple[Tuple[str, str], ...]  # names and values of the inputs that conditions and effects read
 
@@ -30,8 +31,9 @@ class AnyOrder:
         body = f"(// ({') ('.join(branches)}))" if len(branches) > 1 else "".join(branches) or "(^ 0)"
         inputs = f" :input ({' '.join(self.inputs)})" if self.inputs else ""
         environment = "" if self.domain.has_environment else self.environment()
+        start = start_of(self.domain, self.name, self.inputs)
         return (f"(include \"{include}\")\n{''.join(self.choices)}(defskill {self.name}{inputs} :body ({body}))\n"
-                f"{environment}(defproperty {self.name}_goal (reachable {goal}))\n")
+                f"{start}{environment}(defproperty {self.name}_goal (reachable {goal}))\n")
 
     def environment(self) -> str:
         """All events, at any time, and no interrupts."""
@@ -74,9 +76,11 @@ def can_reach(domain: Domain, settings, seconds: float) -> Tuple[Optional[bool],
     with tempfile.TemporaryDirectory(prefix="proskill-plan-") as folder:
         path = os.path.join(folder, "any-order.proskill")
         program = os.path.relpath(os.path.realpath(settings.program), os.path.realpath(folder))
+        text = AnyOrder(domain, settings.name).write(program, settings.goal)
         with open(path, "w", encoding="utf-8") as file:
-            file.write(AnyOrder(domain, settings.name).write(program, settings.goal))
-        command = [settings.proskill, "verify", "--format", "json", "--traces", "none", "--main", settings.name,
+            file.write(text)
+        main = main_of(settings.name, text)
+        command = [settings.proskill, "verify", "--format", "json", "--traces", "none", "--main", main,
                    "--property", f"{settings.name}_goal", "--time-limit", str(max(1, int(seconds))),
                    "--memory-limit", str(settings.megabytes), path]
         done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)

@@ -22,7 +22,8 @@ class SkillWriter:
         inputs = f"\n  :input ({' '.join(self.inputs)})" if self.inputs else ""
         failures = f"\n  :failure ({' '.join(sorted(self.failures))})" if self.failures else ""
         lines = "\n".join(body + ["     (success reached)"])
-        return f"(defskill {self.name}{inputs}\n  :success reached{failures}\n  :body\n    ({lines.lstrip()}))\n"
+        skill = f"(defskill {self.name}{inputs}\n  :success reached{failures}\n  :body\n    ({lines.lstrip()}))\n"
+        return skill + start_of(self.domain, self.name, self.inputs)
 
     def statements(self, block: Block, depth: int) -> List[str]:
         space = " " * depth
@@ -66,6 +67,20 @@ class SkillWriter:
             self.inputs.append(f"${own} {kind}")
             text += f" {name} ${own}"
         return text
+
+
+def start_of(domain: Domain, name: str, inputs: List[str]) -> str:
+    """A mission has no inputs. If a skill has some, this one calls it, with a value for each."""
+    if not inputs:
+        return ""
+    pairs = [each[1:].split(" ") for each in inputs]
+    values = "".join(f" {one} {domain.example(one, kind)}" for one, kind in pairs)
+    return f"\n; Nothing that is verified depends on these values: write yours.\n(defskill {name}_start\n  :body\n    (({name}{values})))\n"
+
+
+def main_of(name: str, text: str) -> str:
+    """The mission of a program with a skill."""
+    return f"{name}_start" if f"(defskill {name}_start\n" in text else name
 
 
 def wait(conditions: List[str]) -> str:
