@@ -331,6 +331,10 @@ class Loops(unittest.TestCase):
         with unittest.mock.patch.object(loop, "run_planner", lambda *_: answer):
             self.assertRaisesRegex(Undecided, "any: no plan within 1 s\n  verifier: there may be one",
                                    loop.Loop(settings(SURVEY, "(area Photographed)")).run)
+            answer.status = "unsolvable"
+            self.assertRaisesRegex(Undecided, "no plan reaches the goal, says any\n  verifier: there may be one",
+                                   loop.Loop(settings(SURVEY, "(area Photographed)")).run)
+            answer.status = "unknown"
             with unittest.mock.patch.object(loop, "can_reach", lambda *_: (None, "1 s passed")):
                 self.assertRaisesRegex(Undecided, "verifier: undecided: 1 s passed",
                                        loop.Loop(settings(SURVEY, "(area Photographed)")).run)

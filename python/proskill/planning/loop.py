@@ -55,10 +55,11 @@ class Loop:
         self.domain: Domain = domain_of(settings.proskill, settings.program, settings.outcomes)
         self.problem = problem_of(settings.proskill, settings.program, settings.goal)
         self.constraints: List[Tuple[str, str]] = []
+        self.verifier = ""  # what it says about the goal
 
     def run(self) -> str:
         """The text of a skill that the verifier accepts."""
-        self.refuse_impossible(min(FIRST_SECONDS, self.settings.seconds))
+        self.verifier = self.refuse_impossible(min(FIRST_SECONDS, self.settings.seconds))
         for number in range(1, MOST_ROUNDS + 1):
             plan, planner = self.plan()
             plan = self.without_useless(plan)
@@ -97,7 +98,7 @@ class Loop:
                 return answer.plan, planner
             if answer.status == "unsolvable":
                 because = f" under {len(self.constraints)} constraints" if self.constraints else ""
-                raise Undecided(f"no plan reaches the goal{because}, says {planner}")
+                raise Undecided(f"no plan reaches the goal{because}, says {planner}\n  verifier: {self.verifier}")
             problems.append(f"{planner}: {answer.words}")
         problems.append(f"verifier: {self.refuse_impossible(self.settings.seconds)}")
         raise Undecided("no planner has found a plan\n  " + "\n  ".join(problems))
