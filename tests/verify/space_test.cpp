@@ -1,3 +1,5 @@
+#include "verify/limits.h"
+#include "verify/memory/large_vector.h"
 #include "verify/space/column.h"
 #include "verify/space/parents.h"
 #include "verify/space/state_tree.h"
@@ -72,8 +74,56 @@ TEST_CASE("a column takes as many bits for a number as the greatest needs") {
     CHECK(column.at(4096) == 0);
     for (std::uint32_t i = 0; i < 10'000; ++i)
       if (i < 4095 || i > 4096) REQUIRE(column.at(i) == (i % 3 == 0 ? most : most / 2));
-    CHECK(column.bytes() < 3 * (4096 * static_cast<std::uint64_t>(width) / 8 + 32));
+    CHECK(column.bytes() < 3 * (4096 * static_cast<std::uint64_t>(width) / 8 + 64));
   }
+}
+
+TEST_CASE("a column of millions of numbers grows and widens as a small one") {
+  constexpr std::uint32_t kCount = 9'000'000; // more than its small blocks have
+  const auto numberAt = [](std::uint32_t i) { return i * 2'654'435'761U >> 15; };
+  Column column;
+  std::uint64_t foreseen = column.growth();
+  for (std::uint32_t i = 0; i < kCount; ++i) {
+    const std::uint64_t before = column.bytes();
+    column.push(numberAt(i));
+    if (i % 4096 != 0 && i > 4096) REQUIRE(column.bytes() == before);
+    if (i > 4096) // the lists of pieces grow, too
+      REQUIRE(column.bytes() <= before + foreseen + before / 64 + 4096);
+    if (i % 4096 == 4095) foreseen = column.growth();
+  }
+  for (std::uint32_t i = 0; i < kCount; i += 7) REQUIRE(column.at(i) == numberAt(i));
+  column.set(kCount - 1, 1U << 24); // all get wider
+  for (std::uint32_t i = 0; i + 1 < kCount; i += 7) REQUIRE(column.at(i) == numberAt(i));
+  CHECK(column.at(kCount - 1) == 1U << 24);
+  CHECK(column.bytes() < std::uint64_t{kCount} * 25 / 8 + 2 * kLargeTable);
+}
+
+TEST_CASE("a large vector is in pages of its own, which are given back") {
+  LargeVector<std::uint32_t> some(kLargeTable / sizeof(std::uint32_t), 1);
+  CHECK(reinterpret_cast<std::uintptr_t>(some.data()) % kLargePage == 0); // NOLINT
+  for (std::uint32_t i = 0; i < 10'000'000; ++i) some.push_back(i);
+  CHECK(some.at(kLargeTable / sizeof(std::uint32_t)) == 0);
+  CHECK(some.back() == 9'999'999);
+  const auto with = residentBytes();
+  LargeVector<std::uint32_t>().swap(some);
+  if (with > 0) CHECK(residentBytes() + 38'000'000 < with);
+}
+
+TEST_CASE("what a vector will take soon is the larger vector, or its next large page") {
+  constexpr std::size_t kPerPage = kLargePage / sizeof(std::uint32_t);
+  LargeVector<std::uint32_t> all;
+  all.reserve(4 * kPerPage);
+  all.resize(kPerPage - kBetweenGrowthChecks);
+  CHECK(growthOf(all) == 0);
+  all.push_back(0);
+  CHECK(growthOf(all) == kLargePage);
+  all.resize(4 * kPerPage - kBetweenGrowthChecks);
+  CHECK(growthOf(all) == 4 * kLargePage);
+  LargeVector<std::uint32_t> few;
+  few.reserve(3 * kBetweenGrowthChecks);
+  CHECK(growthOf(few) == 0);
+  few.resize(2 * kBetweenGrowthChecks);
+  CHECK(growthOf(few) == few.capacity() * sizeof(std::uint32_t));
 }
 
 TEST_CASE("parents are found in any order of expansion") {

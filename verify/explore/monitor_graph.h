@@ -92,7 +92,7 @@ private:
   const Monitor& monitor;
   bool cycles;
   const Walker& walker;
-  std::vector<WatchNode> nodes;
+  LargeVector<WatchNode> nodes;
   std::vector<std::vector<WatchArc>> arcs; ///< by node
   std::uint64_t arcCount = 0;
 };

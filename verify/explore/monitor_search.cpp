@@ -349,9 +349,9 @@ private:
   MonitorZones own;
   StateStore states;
   ZoneStore zones;
-  std::vector<SignatureId> signatureOf; ///< by state
+  LargeVector<SignatureId> signatureOf; ///< by state
   Memo lists;                           ///< numbers of lists of nodes
-  std::vector<NodeIndex> headOf;        ///< by list
+  LargeVector<NodeIndex> headOf;        ///< by list
   Watched result;
   NodeIndex next = 0; ///< to expand
 

@@ -325,7 +325,8 @@ std::uint64_t ClassGraph::bytes() const {
 /// Bytes that the next few expansions may allocate at once.
 std::uint64_t ClassGraph::growth() const {
   return markings.growth() + sets.growth() + images.growth() + noted.growth(sets.end()) +
-         domains.growth() + domainTable.growth() + growthOf(domainKeys) + possibleSets.growth();
+         domains.growth() + domainTable.growth() + growthOf(domainKeys) + possibleSets.growth() +
+         signatures.growth() + classes.growth() + expanded.growth();
 }
 
 Progress ClassGraph::progress() const {

@@ -111,7 +111,7 @@ private:
   Column expanded;   ///< those of them that are expanded
   std::deque<std::uint32_t> waiting;
   NumberLists possibleSets;              ///< see ExpandedMarking
-  std::vector<std::uint64_t> domainKeys; ///< domains, with the transitions for which they hold
+  LargeVector<std::uint64_t> domainKeys; ///< domains, with the transitions for which they hold
   NumberTable domainTable;
   RecentResults<std::monostate> noted; ///< sets of domains whose keys are known
   Exploration result;

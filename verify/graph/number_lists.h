@@ -49,8 +49,8 @@ public:
   }
 
 private:
-  std::vector<std::uint32_t> items;
-  std::vector<std::uint64_t> ends; ///< by list
+  LargeVector<std::uint32_t> items;
+  LargeVector<std::uint64_t> ends; ///< by list
   NumberTable table;
 };
 

@@ -103,7 +103,7 @@ std::vector<SetId> NumberSets::removeUnused(std::vector<bool> needed) {
     needed[nodes[i].right] = true;
   }
   std::vector<SetId> moved(nodes.size());
-  const std::vector<Node> before = std::exchange(nodes, std::vector<Node>(1));
+  const auto before = std::exchange(nodes, LargeVector<Node>(1));
   table = {};
   recent.clear();
   for (SetId i = 1; i < before.size(); ++i) {

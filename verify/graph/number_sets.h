@@ -96,7 +96,7 @@ private:
   [[nodiscard]] SetId computeUnion(SetId a, SetId b);
   [[nodiscard]] SetId computeDifference(SetId a, SetId b);
 
-  std::vector<Node> nodes;
+  LargeVector<Node> nodes;
   NumberTable table;
   std::size_t most; ///< nodes until unused ones are removed
   RecentResults<SetId> recent;

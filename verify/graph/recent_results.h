@@ -55,7 +55,7 @@ private:
     return (hash >> 32) & (entries.size() - 1);
   }
 
-  std::vector<Entry> entries = std::vector<Entry>(kFewest);
+  LargeVector<Entry> entries = LargeVector<Entry>(kFewest);
 };
 
 } // namespace proskill::verify

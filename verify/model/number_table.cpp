@@ -6,7 +6,7 @@
 namespace proskill::verify {
 
 void NumberTable::grow() {
-  const std::vector<Slot> old = std::exchange(slots, std::vector<Slot>(slots.size() * 2));
+  const auto old = std::exchange(slots, LargeVector<Slot>(slots.size() * 2));
   for (const auto& slot : old) {
     if (slot.number == kNone) continue;
     std::size_t at = placeOf(slot.tag);

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "verify/memory/large_vector.h"
 #include "verify/model/system.h"
 
 #include <cstdint>
 #include <ranges>
-#include <vector>
 
 /// Hash tables that give each item a number once. The items are kept elsewhere.
 namespace proskill::verify {
@@ -19,18 +19,6 @@ namespace proskill::verify {
                                       std::uint64_t seed = 0) {
   for (const auto number : numbers) seed = mix(seed, static_cast<std::uint64_t>(number));
   return mix(seed, seed >> 32);
-}
-
-/// Growing tables are checked against the limits at least every so many insertions.
-inline constexpr std::size_t kBetweenGrowthChecks = 4096;
-
-/// Additional bytes that a vector will allocate when it grows, if that is soon; otherwise 0.
-/// \param soon the elements that may be added before the next check
-template <class T>
-[[nodiscard]] std::uint64_t growthOf(const std::vector<T>& all,
-                                     std::size_t soon = kBetweenGrowthChecks) {
-  if (all.capacity() - all.size() > soon) return 0;
-  return all.capacity() * sizeof(T);
 }
 
 /// A hash table of numbers (open addressing). The owner stores and compares the items. Half of the
@@ -85,7 +73,7 @@ private:
   }
   void grow();
 
-  std::vector<Slot> slots = std::vector<Slot>(256);
+  LargeVector<Slot> slots = LargeVector<Slot>(256);
   std::uint64_t used = 0;
 };
 

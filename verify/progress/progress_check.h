@@ -120,9 +120,9 @@ private:
   std::uint64_t steps = 0;       ///< since the start; the limits are checked every so many steps
   std::size_t levelsFrom;        ///< index of the word of a stored moment at which its levels begin
   StateStore moments;            ///< states, unknown bits where there are free inputs, levels
-  std::vector<Verdict> verdicts; ///< by moment
-  std::vector<std::uint32_t> metIn;  ///< by moment: the last search that reached it
-  std::vector<std::uint32_t> openAt; ///< by moment: if it is open, a free input to choose
+  LargeVector<Verdict> verdicts; ///< by moment
+  LargeVector<std::uint32_t> metIn;  ///< by moment: the last search that reached it
+  LargeVector<std::uint32_t> openAt; ///< by moment: if it is open, a free input to choose
   std::uint32_t searches = 0;
   std::vector<std::vector<Thresholds>> known; ///< by signature
   std::vector<Word> key;

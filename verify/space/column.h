@@ -1,9 +1,10 @@
 #pragma once
 
+#include "verify/memory/large_vector.h"
+
 #include <bit>
 #include <cstdint>
 #include <cstring>
-#include <memory>
 #include <vector>
 
 namespace proskill::verify {
@@ -12,40 +13,46 @@ namespace proskill::verify {
 /// while all are 0. It grows in pieces, so that growing never copies the list.
 class Column {
 public:
+  Column() = default;
+  Column(const Column&) = delete;
+  Column& operator=(const Column&) = delete;
+  ~Column() = default;
+
   [[nodiscard]] std::uint32_t at(std::size_t i) const {
     if (width == 0) return 0;
-    return read(pieces[i / kPiece].get(), i % kPiece, width);
+    return read(pieces[i / kPiece], i % kPiece, width);
   }
   void push(std::uint32_t number) {
-    if (count % kPiece == 0 && width != 0) pieces.push_back(makePiece(width));
+    if (count == pieces.size() * kPiece && width != 0) addBlock();
     ++count;
     if (number != 0) set(count - 1, number);
   }
   /// \pre i < size()
   void set(std::size_t i, std::uint32_t number) {
     if (bitsOf(number) > width) widen(number);
-    if (width != 0) write(pieces[i / kPiece].get(), i % kPiece, width, number);
+    if (width != 0) write(pieces[i / kPiece], i % kPiece, width, number);
   }
   [[nodiscard]] std::size_t size() const { return count; }
   [[nodiscard]] std::uint64_t bytes() const {
-    return pieces.size() * (bytesOfPiece(width) + sizeof(Piece));
+    return bytesOfBlocks + blocks.capacity() * sizeof(Block) +
+           pieces.capacity() * sizeof(std::uint8_t*);
+  }
+  /// Bytes that the next few numbers may allocate at once.
+  [[nodiscard]] std::uint64_t growth() const {
+    return count + kBetweenGrowthChecks > pieces.size() * kPiece ? sizeOfNextBlock() : 0;
   }
   /// Asks the processor to load an entry soon.
   void prefetch(std::size_t i) const {
-    if (width != 0) __builtin_prefetch(pieces[i / kPiece].get() + i % kPiece * width / 8);
+    if (width != 0) __builtin_prefetch(pieces[i / kPiece] + i % kPiece * width / 8);
   }
 
 private:
-  using Piece = std::unique_ptr<std::uint8_t[]>;
+  using Block = LargeVector<std::uint8_t>;    ///< one piece, or many once there are many
   static constexpr std::size_t kPiece = 4096; ///< entries of a piece
 
-  /// Entries are read as eight bytes, so a piece ends with some unused ones.
-  [[nodiscard]] static std::size_t bytesOfPiece(std::uint32_t width) {
-    return kPiece / 8 * width + sizeof(std::uint64_t);
-  }
-  [[nodiscard]] static Piece makePiece(std::uint32_t width) {
-    return std::make_unique<std::uint8_t[]>(bytesOfPiece(width));
-  }
+  [[nodiscard]] std::size_t bytesOfPiece() const { return kPiece / 8 * width; }
+  [[nodiscard]] std::size_t sizeOfNextBlock() const;
+  void addBlock();
   /// Numbers have their lowest byte first, as on all processors that there are packages for.
   [[nodiscard]] static std::uint64_t load(const std::uint8_t* from) {
     std::uint64_t bits = 0;
@@ -75,7 +82,9 @@ private:
 
   std::uint32_t width = 0; ///< bits of each
   std::size_t count = 0;
-  std::vector<Piece> pieces;
+  std::vector<std::uint8_t*> pieces; ///< in the blocks
+  std::vector<Block> blocks;
+  std::uint64_t bytesOfBlocks = 0;
 };
 
 } // namespace proskill::verify

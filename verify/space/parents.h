@@ -1,8 +1,9 @@
 #pragma once
 
+#include "verify/memory/large_vector.h"
+
 #include <bit>
 #include <cstdint>
-#include <vector>
 
 namespace proskill::verify {
 
@@ -27,13 +28,13 @@ private:
 
   void append(bool bit);
 
-  std::vector<std::uint64_t> bits;
+  LargeVector<std::uint64_t> bits;
   std::uint64_t length = 0; ///< in bits
   std::uint64_t zeros = 0;
   std::uint64_t expansions = 0;
-  std::vector<std::uint64_t> zerosBefore; ///< by block
+  LargeVector<std::uint64_t> zerosBefore; ///< by block
   /// The nodes in the order in which they were expanded, if it is not that of their numbers.
-  std::vector<std::uint32_t> order;
+  LargeVector<std::uint32_t> order;
 };
 
 } // namespace proskill::verify

@@ -164,8 +164,9 @@ std::size_t RootTable::put(std::uint64_t hash, Entry entry) {
 }
 
 std::uint64_t RootTable::growth() const {
-  if (!isFull(used() + claims.size() + kBetweenGrowthChecks, slots.size())) return 0;
-  return (grown(slots.size()) - slots.size()) * sizeof(std::uint32_t);
+  const std::uint64_t ofRoots = left.growth() + right.growth();
+  if (!isFull(used() + claims.size() + kBetweenGrowthChecks, slots.size())) return ofRoots;
+  return ofRoots + (grown(slots.size()) - slots.size()) * sizeof(std::uint32_t);
 }
 
 } // namespace proskill::verify

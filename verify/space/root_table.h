@@ -143,7 +143,7 @@ private:
   std::uint32_t count = 0;
   Column left;
   Column right;
-  std::vector<std::uint32_t> slots; ///< 0, or an entry below more bits of the hash
+  LargeVector<std::uint32_t> slots; ///< 0, or an entry below more bits of the hash
   std::uint32_t numberMask = 0;
   std::size_t dead = 0; ///< slots of claims that have ended
 

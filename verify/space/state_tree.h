@@ -69,7 +69,7 @@ private:
   };
   /// Numbers for words, or for pairs of numbers.
   struct Numbers {
-    std::vector<std::uint64_t> keys;
+    LargeVector<std::uint64_t> keys;
     NumberTable table;
 
     [[nodiscard]] static std::uint64_t hash(std::uint64_t key) {

@@ -138,13 +138,14 @@ std::uint64_t ZoneGraph::bytes() const {
   std::uint64_t all = timing.bytes() + states.bytes() + coverBytes + parents.bytes() +
                       hulls.capacity() + subsumed.bytes() + indexed.bytes() +
                       (index ? index->bytes() : 0) + unions.capacity() * sizeof(ZoneCover);
-  for (const Column* column : {&signatures, &heads, &coverOf, &lags, &zones, &links, &steps})
-    all += column->bytes();
+  for (const Column* column : columns()) all += column->bytes();
   return all;
 }
 
 std::uint64_t ZoneGraph::growth() const {
-  return timing.growth() + states.growth() + (index ? index->growth() : 0);
+  std::uint64_t all = timing.growth() + states.growth() + (index ? index->growth() : 0);
+  for (const Column* column : columns()) all += column->growth();
+  return all;
 }
 
 } // namespace proskill::verify

@@ -7,6 +7,8 @@
 #include "verify/state/enabled.h"
 #include "verify/state/timing.h"
 
+#include <array>
+
 namespace proskill::verify {
 
 using NodeIndex = std::uint32_t;
@@ -69,6 +71,10 @@ private:
   void addToIndex(StateId state, NodeIndex node);
   void addToIndex(NodeIndex node);
   [[nodiscard]] bool isInIndex(StateId state, std::span<const Bound> zone) const;
+
+  [[nodiscard]] std::array<const Column*, 7> columns() const {
+    return {&signatures, &heads, &coverOf, &lags, &zones, &links, &steps};
+  }
 
   bool keepsSteps;
   Column signatures; ///< by state

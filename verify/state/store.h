@@ -41,7 +41,7 @@ private:
 
   std::uint32_t words;
   std::uint32_t count = 0;
-  std::vector<Word> arena;
+  LargeVector<Word> arena;
   NumberTable table;
 };
 
@@ -79,8 +79,8 @@ private:
   [[nodiscard]] static std::uint64_t hashOf(std::span<const Bound> zone);
   [[nodiscard]] bool isEqual(std::span<const Bound> zone, ZoneId other) const;
 
-  std::vector<Place> places;
-  std::vector<Bound> arena;
+  LargeVector<Place> places;
+  LargeVector<Bound> arena;
   std::size_t largest = 0; ///< bounds of a zone
   NumberTable table;
 };
@@ -116,8 +116,8 @@ public:
   }
 
 private:
-  std::vector<Key> keys;
-  std::vector<std::uint32_t> values;
+  LargeVector<Key> keys;
+  LargeVector<std::uint32_t> values;
   NumberTable table;
 };
 
