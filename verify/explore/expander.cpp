@@ -209,23 +209,21 @@ void Expander::add(TransitionId transition, std::uint32_t choice) {
 
 /// The table of states does not fit into the caches of the processor, so the entries of all
 /// successors are loaded before the first is used.
-void Expander::prefetchStates(const Expansion& of) {
+void Expander::prefetchStates(const Expansion& of, const StateTree::Path& near) {
   const RootTable& table = graph.states.roots;
-  roots.resize(std::max(roots.size(), of.successors.size()));
-  for (std::size_t i = 0; i < of.successors.size(); ++i) {
-    roots[i] = graph.states.findRoot(of.words.data() + of.successors[i].state, path);
-    if (roots[i]) table.prefetchSlot(*roots[i]);
-  }
-  for (std::size_t i = 0; i < of.successors.size(); ++i)
-    if (roots[i]) table.prefetchState(*roots[i]);
+  const auto& roots = graph.states.findRoots(of.words, system.words, near, group);
+  for (const auto& root : roots)
+    if (root) table.prefetchSlot(*root);
+  for (const auto& root : roots)
+    if (root) table.prefetchState(*root);
 }
 
-void Expander::reduce(Expansion& to, Claimer* claimer) {
-  prefetchStates(to);
+void Expander::reduce(Expansion& to, const StateTree::Path& near, Claimer* claimer) {
+  prefetchStates(to, near);
   std::size_t left = 0;
   for (std::size_t i = 0; i < to.successors.size(); ++i) {
     Successor it = to.successors[i];
-    auto& root = roots[i];
+    auto& root = group.roots[i];
     if (reductions.liveVariables) {
       if (root) it.known = graph.states.roots.find(*root);
       Word* const words = to.words.data() + it.state;

@@ -78,7 +78,8 @@ public:
   /// variables, since they have been set before.
   /// \param claimer if not null, claims the states that the graph lacks. Without time, this also
   /// removes successors whose states a node before this one has claimed.
-  void reduce(Expansion& to, Claimer* claimer = nullptr);
+  /// \param near the nodes of the state of the node that was expanded
+  void reduce(Expansion& to, const StateTree::Path& near, Claimer* claimer = nullptr);
 
 private:
   /// A state on the way to a successor.
@@ -110,7 +111,7 @@ private:
     return made->failure.empty() && (onlyStep == kNone || onlyStep == transition);
   }
   [[nodiscard]] bool fails(const TransitionSet& enabled) const;
-  void prefetchStates(const Expansion& of);
+  void prefetchStates(const Expansion& of, const StateTree::Path& near);
   bool lookUp(Successor& successor, const SoughtRoot& root, Claimer* claimer) const;
   [[nodiscard]] bool isCovered(const Successor& successor) const;
 
@@ -130,15 +131,15 @@ private:
   std::size_t forgotten = 0;           ///< number of closed goals that these lists lack
 
   Expansion* made = nullptr;
-  TransitionId onlyStep = kNone;                ///< the only one to take, if any
-  StateTree::Path path;                         ///< the last state that was looked for
-  std::vector<std::optional<SoughtRoot>> roots; ///< by successor
-  Bits noticed;                                 ///< goals, while a node is expanded
-  Current loaded;                               ///< the node that is being expanded
-  Current work;                                 ///< its successor
-  std::vector<Word> before;                     ///< the state before the last step
-  std::vector<Word> trial;                      ///< a state with other values of open variables
-  Steps passed;                                 ///< from the node being expanded to `work`
+  TransitionId onlyStep = kNone; ///< the only one to take, if any
+  StateTree::Path path;          ///< the last state that was looked for alone
+  StateTree::Group group;        ///< the successors
+  Bits noticed;                  ///< goals, while a node is expanded
+  Current loaded;                ///< the node that is being expanded
+  Current work;                  ///< its successor
+  std::vector<Word> before;      ///< the state before the last step
+  std::vector<Word> trial;       ///< a state with other values of open variables
+  Steps passed;                  ///< from the node being expanded to `work`
   StepLog log;
 };
 

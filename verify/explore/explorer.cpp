@@ -84,7 +84,7 @@ void Explorer::explore() {
 void Explorer::start() {
   if (auto* earlier = checkpoint ? checkpoint->earlier() : nullptr) return resume(*earlier);
   expander.start(work);
-  expander.reduce(work);
+  expander.reduce(work, graph.states.nowhere());
   store(work);
   isWhole = true;
 }
@@ -104,10 +104,10 @@ void Explorer::expand(NodeIndex node) {
   expanding = node;
   if (isForThreads(node)) return store(workers->expansionOf(node));
   const StateId state = graph.stateOf(node);
-  graph.states.read(state, stored.data());
+  graph.states.read(state, stored.data(), nodes);
   expander.load(stored.data(), graph.signatureOf(state), graph.zoneOf(node));
   expander.expand(work);
-  expander.reduce(work);
+  expander.reduce(work, nodes);
   if (!work.successors.empty()) frontier.expand(expander.loadedState());
   store(work);
 }

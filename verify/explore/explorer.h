@@ -125,6 +125,7 @@ private:
   bool isWhole = false;   ///< the graph is that of the nodes expanded so far
   bool isHalfway = false; ///< the last node was taken from the frontier, but not expanded
   NodeIndex expanding = kNone;
+  StateTree::Path nodes;    ///< of the state that is expanded
   std::vector<Word> stored; ///< the state that is being expanded
   Expansion work;
   mutable PathSteps pathSteps;

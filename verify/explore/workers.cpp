@@ -39,14 +39,14 @@ public:
     const StateId state = graph.stateOf(node);
     const ZoneId zone = graph.zoneOf(node);
     const SignatureId signature = graph.signatureOf(state);
-    graph.states.read(state, stored.data());
+    graph.states.read(state, stored.data(), nodes);
     expander.load(
         stored.data(),
         ownSignature.get(signature, [&] { return timing.adopt(graph.timing, signature); }),
         ownZone.get(zone, [&] { return timing.adopt(graph.timing.zones(), zone); }));
     expander.expand(all);
     claimer.node = node;
-    expander.reduce(all, &claimer);
+    expander.reduce(all, nodes, &claimer);
     keep(all, to);
   }
 
@@ -89,7 +89,8 @@ private:
   Expander expander;
   Claimer claimer;
   std::vector<Word> stored;
-  Expansion all; ///< all that is possible from a node
+  StateTree::Path nodes; ///< of the state that is expanded
+  Expansion all;         ///< all that is possible from a node
   Translation ownZone;
   Translation ownSignature;
   Translation sharedZone;

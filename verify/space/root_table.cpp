@@ -131,12 +131,7 @@ void RootTable::startGrowth() {
 
 void RootTable::grow() {
   startGrowth();
-  for (StateId id = 0; id < count; ++id) {
-    const std::uint64_t hash = SoughtRoot(at(id)).hash;
-    std::size_t slot = slotOf(hash);
-    while (slots[slot] != 0) slot = after(slot);
-    slots[slot] = tagOf(hash) | (id + 1);
-  }
+  refill(0, 1);
   eachOpenClaim([this](ClaimId claim) {
     claims[claim].slot = put(SoughtRoot(claims[claim].root).hash, entryOf(claim));
   });

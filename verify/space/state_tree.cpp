@@ -44,8 +44,7 @@ StateTree::StateTree(std::uint32_t wordsOfEach, std::uint32_t firstBits)
   }
   joins.push_back({row[0], row[1]}); // the root
   nodes.resize(leaves + joins.size() - 1);
-  last.keys.resize(nodes.size());
-  last.ids.assign(nodes.size(), kNone);
+  last = nowhere();
 }
 
 StateTree::StateTree(const System& system)
@@ -81,9 +80,7 @@ SoughtRoot StateTree::rootOf(const Word* state) {
 }
 
 std::optional<SoughtRoot> StateTree::findRoot(const Word* state, Path& path) const {
-  if (path.ids.empty())
-    path = {std::vector<std::uint64_t>(nodes.size()),
-            std::vector<std::uint32_t>(nodes.size(), kNone)};
+  if (path.ids.empty()) path = nowhere();
   return walk(state, path,
               [&](std::size_t node, std::uint64_t key) { return nodes[node].find(key); });
 }

@@ -27,6 +27,11 @@ public:
   /// For the stored words of the states of a system.
   explicit StateTree(const System& system);
 
+  /// A path before any state was looked up.
+  [[nodiscard]] Path nowhere() const {
+    return {std::vector<std::uint64_t>(nodes.size()),
+            std::vector<std::uint32_t>(nodes.size(), kNone)};
+  }
   /// The root of a state, whose other nodes are added.
   [[nodiscard]] SoughtRoot rootOf(const Word* state);
   /// The same without adding anything; nothing if the state is certainly not stored. Several
