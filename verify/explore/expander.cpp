@@ -26,7 +26,10 @@ Expander::Expander(const System& of, const OpenGoals& asked, const Reductions& w
       enabling(in.enabling),
       timing(when),
       limits(watch),
-      walker(of, in.enabling, with) {
+      walker(of, in.enabling, with),
+      constantSteps(of),
+      looksAhead(!of.clocks.empty() || !isEmpty(in.enabling.urgentOnes()) || with.freeInputs ||
+                 with.stubbornSets || with.privateMoves) {
   timing.callBetween([&zones = timing, &watch] { watch.checkGrowth(zones.growth()); });
   goalsOfEvent.resize(system.eventCount);
   hasErrors = std::ranges::any_of(system.transitions, &Transition::fails);
@@ -125,9 +128,19 @@ bool Expander::fails(const TransitionSet& enabled) const {
 void Expander::step(TransitionId transition) {
   if (!isTaken(transition)) return;
   if (!timing.isFirable(loaded.zone, loaded.signature, transition)) return;
-  work = loaded;
+  beginStep();
   passed.clear();
   follow(transition, 0);
+}
+
+void Expander::beginStep() {
+  if (looksAhead) {
+    work = loaded;
+    return;
+  }
+  work.state = loaded.state;
+  work.signature = loaded.signature;
+  work.zone = loaded.zone;
 }
 
 /// Takes a step from the loaded state with other values of open variables.
@@ -160,24 +173,38 @@ bool Expander::advance(TransitionId transition) {
   log.clear();
   passed.push_back(transition);
   if (!stepGoals.empty()) before = work.state;
-  const Outcome outcome = fire(system, transition, work.state.data(), log);
+  const Outcome outcome = fire(transition);
   if (outcome == Outcome::GaveUp) return false;
   if (outcome == Outcome::Failed) {
     noticeError();
     return false;
   }
-  enabling.update(transition, work.state.data(), work.enabled);
   Steps back;
+  if (looksAhead && !enter(transition, back)) return false;
+  noticeStep();
+  noticeState();
+  append(passed, back);
+  return true;
+}
+
+Outcome Expander::fire(TransitionId transition) {
+  if (!constantSteps.contain(transition))
+    return verify::fire(system, transition, work.state.data(), log);
+  constantSteps.fire(transition, work.state.data());
+  return Outcome::Done;
+}
+
+/// Computes what is possible in the state after a step, and its zone.
+/// \param back steps that give open variables their representative values
+/// \return whether there is such a zone
+bool Expander::enter(TransitionId transition, Steps& back) {
+  enabling.update(transition, work.state.data(), work.enabled);
   if (reductions.freeInputs)
     back = reductions.freeInputs->normalise(work.state.data(), work.enabled, enabling);
   const SignatureId signature = walker.signature(work.state, work.enabled, timing);
   work.zone = timing.after(work.zone, work.signature, transition, signature);
   work.signature = signature;
-  if (work.zone == kNone) return false;
-  noticeStep();
-  noticeState();
-  append(passed, back);
-  return true;
+  return work.zone != kNone;
 }
 
 /// Sets open variables to the first choice of values with which the transition is fired.

@@ -4,6 +4,7 @@
 #include "verify/limits.h"
 #include "verify/model/goals.h"
 #include "verify/space/zone_graph.h"
+#include "verify/state/constant_steps.h"
 
 namespace proskill::verify {
 
@@ -92,9 +93,12 @@ private:
 
   void expandOpen();
   void step(TransitionId transition);
+  void beginStep();
   void stepWith(TransitionId transition, const std::vector<Word>& state, std::uint32_t choice);
   void follow(TransitionId transition, std::uint32_t choice);
   bool advance(TransitionId transition);
+  [[nodiscard]] Outcome fire(TransitionId transition);
+  [[nodiscard]] bool enter(TransitionId transition, Steps& back);
   void chooseInputs(TransitionId transition);
   void runAlone();
   void add(TransitionId transition, std::uint32_t choice);
@@ -123,6 +127,10 @@ private:
   Timing& timing;
   LimitWatch& limits;
   Walker walker;
+  ConstantSteps constantSteps;
+  /// Whether time or a reduction depends on what is possible in a successor. Otherwise all states
+  /// have one signature and one zone.
+  bool looksAhead = true;
 
   bool hasErrors = false; ///< some transition is an error
   std::vector<std::vector<std::size_t>> goalsOfEvent;

@@ -8,6 +8,7 @@
 #include "verify/verify.h"
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <unordered_map>
 
