@@ -153,29 +153,73 @@ bool inCommentOrString(const Document& document, Offset caret) {
   return false;
 }
 
-void addEdit(std::vector<TextEdit>& edits, std::string_view text, Range range,
-             const std::string& after) {
-  auto before = text.substr(range.begin, range.length());
-  if (before != after) edits.push_back(smallestEdit(before, after, range.begin));
-}
+/// Edits of lines as they are typed, from the top down.
+class LineEdits {
+public:
+  explicit LineEdits(const Document& document) : document(document), text(document.text()) {}
 
-/// Trailing spaces of the line that ends are removed; the new line is indented.
-std::vector<TextEdit> newLine(const Document& document, Offset caret) {
+  /// The white space at both ends of a line that the caret has left.
+  void leave(std::uint32_t number) {
+    auto content = contentOf(number);
+    // such a comment may be about the definition that follows
+    if (!content.empty() && (text[content.begin] != ';' || content.begin > lineAt(number).begin))
+      indent(number);
+    add({content.end, lineAt(number).end}, 0);
+  }
+
+  /// The indentation, below the lines as edited.
+  void indent(std::uint32_t number) {
+    auto line = lineAt(number);
+    auto begin = regionAt(document, line.begin).begin;
+    auto above = edited({begin, line.begin});
+    auto content = contentOf(number);
+    add({line.begin, content.empty() ? line.end : content.begin},
+        indentation(above, text.substr(line.begin, line.length())));
+  }
+
   std::vector<TextEdit> edits;
+
+private:
+  [[nodiscard]] Range lineAt(std::uint32_t number) const {
+    return document.lines().line(number, text);
+  }
+
+  /// The line without white space at its ends; of an empty line, its beginning.
+  [[nodiscard]] Range contentOf(std::uint32_t number) const {
+    auto line = lineAt(number);
+    auto content = text.substr(line.begin, line.length());
+    auto first = content.find_first_not_of(" \t");
+    if (first == std::string_view::npos) return {line.begin, line.begin};
+    auto last = content.find_last_not_of(" \t") + 1;
+    return {line.begin + static_cast<Offset>(first), line.begin + static_cast<Offset>(last)};
+  }
+
+  [[nodiscard]] std::string edited(Range range) const {
+    std::vector<TextEdit> inside;
+    for (const auto& [at, put] : edits)
+      if (at.begin >= range.begin) inside.push_back({at.moved(-range.begin), put});
+    return applyEdits(text.substr(range.begin, range.length()), inside);
+  }
+
+  void add(Range range, std::uint32_t spaces) {
+    auto before = text.substr(range.begin, range.length());
+    auto after = std::string(spaces, ' ');
+    if (before != after) edits.push_back(smallestEdit(before, after, range.begin));
+  }
+
+  const Document& document;
+  std::string_view text;
+};
+
+std::vector<TextEdit> newLine(const Document& document, Offset caret) {
   std::string_view text = document.text();
   auto number = document.lines().position(caret).line;
-  auto line = document.lines().line(number, text);
-  auto content = text.substr(line.begin, line.length());
-  auto first = std::min(content.find_first_not_of(" \t"), content.size());
-  if (line.begin + first < caret) return edits; // the caret is not at the start of its line
-  if (number > 0) {
-    auto above = document.lines().line(number - 1, text);
-    auto kept = text.substr(above.begin, above.length()).find_last_not_of(" \t") + 1;
-    addEdit(edits, text, {above.begin + static_cast<Offset>(kept), above.end}, "");
-  }
-  addEdit(edits, text, {line.begin, line.begin + static_cast<Offset>(first)},
-          std::string(indentationAt(document, caret), ' '));
-  return edits;
+  auto begin = document.lines().line(number, text).begin;
+  if (!isBlank(text.substr(begin, caret - begin))) return {};
+  LineEdits lines(document);
+  if (number > 0) lines.leave(number - 1);
+  lines.indent(number);
+  return lines.edits;
 }
 
 /// The definition that ends there; empty if there is none.
@@ -235,6 +279,12 @@ std::vector<TextEdit> formatTyped(const Document& document, Offset caret, char t
   if (typed == '\n') return newLine(document, caret);
   if (typed == ')') return closedDefinition(document, caret);
   return {};
+}
+
+std::vector<TextEdit> formatLines(const Document& document, std::span<const std::uint32_t> lines) {
+  LineEdits typed(document);
+  for (auto number : lines) typed.leave(number);
+  return typed.edits;
 }
 
 bool sameTokens(const Document& a, const Document& b) {

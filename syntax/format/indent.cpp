@@ -14,6 +14,10 @@ bool isOneOf(std::string_view word, const std::array<std::string_view, n>& words
   return std::ranges::find(words, word) != words.end();
 }
 
+std::string_view firstWordIn(std::string_view line) {
+  return line.substr(0, line.find_first_of(" \t();"));
+}
+
 /// An open parenthesis, and the words directly in it.
 struct OpenForm {
   Offset at = 0;
@@ -87,13 +91,15 @@ class Rules {
 public:
   Rules(std::string_view text, const OpenForm& form) : text(text), form(form) {}
 
-  [[nodiscard]] std::uint32_t indentation(std::string_view firstWord) const {
+  /// \param line without white space at its beginning
+  [[nodiscard]] std::uint32_t indentation(std::string_view line) const {
     std::uint32_t base = columnOf(form.at);
     if (form.items.empty()) return base + 1;
     auto head = wordOf(form.items.front());
     bool behindKeyword = wordOf(form.items.back()).starts_with(':');
-    if (head.starts_with("def")) return base + (behindKeyword ? 4 : 2);
-    if (isOneOf(head, kControl)) return base + (isOneOf(firstWord, kClauses) ? 1 : 3);
+    if (head.starts_with("def"))
+      return base + (behindKeyword || (behindTag() && line.starts_with('(')) ? 4 : 2);
+    if (isOneOf(head, kControl)) return base + (isOneOf(firstWordIn(line), kClauses) ? 1 : 3);
     if (head.starts_with(':')) return base + (behindKeyword ? 3 : 1);
     bool isList = head.starts_with('(') || isOneOf(form.before, kLists);
     if (isList || form.items.size() < 2) return base + 1;
@@ -101,11 +107,20 @@ public:
   }
 
 private:
-  static constexpr std::array<std::string_view, 4> kControl{"if", "while", "do", "do-until"};
+  static constexpr std::array<std::string_view, 5> kControl{"if", "case", "while", "do",
+                                                            "do-until"};
   static constexpr std::array<std::string_view, 3> kClauses{"else", "elseif", "until"};
+  static constexpr std::array<std::string_view, 2> kOutcomes{":success", ":failure"};
   static constexpr std::array<std::string_view, 8> kLists{
       ":states",       ":transitions", ":input",   ":resources",
       ":precondition", ":invariant",   ":success", ":failure"};
+
+  /// Whether the last item is the tag of an outcome, whose clause follows.
+  [[nodiscard]] bool behindTag() const {
+    const auto count = form.items.size();
+    return count >= 2 && isOneOf(wordOf(form.items[count - 2]), kOutcomes) &&
+           !wordOf(form.items.back()).starts_with('(');
+  }
 
   [[nodiscard]] std::string_view wordOf(Range item) const {
     return text.substr(item.begin, item.length());
@@ -121,30 +136,19 @@ private:
   const OpenForm& form;
 };
 
-/// The region that contains a position. At the start of a region no form is open.
+} // namespace
+
+std::uint32_t indentation(std::string_view above, std::string_view line) {
+  auto open = Reader(above).run();
+  line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+  return open.empty() ? 0 : Rules(above, open.back()).indentation(line);
+}
+
 Range regionAt(const Document& document, Offset at) {
   Range found;
   for (const Region& region : document.regions())
     if (region.range.begin < at || at == 0) found = region.range;
   return found;
-}
-
-std::string_view firstWordIn(std::string_view line) {
-  auto begin = line.find_first_not_of(" \t");
-  if (begin == std::string_view::npos) return {};
-  return line.substr(begin, line.find_first_of(" \t();", begin) - begin);
-}
-
-} // namespace
-
-std::uint32_t indentationAt(const Document& document, Offset at) {
-  std::string_view text = document.text();
-  auto line = document.lines().line(document.lines().position(at).line, text);
-  Offset begin = regionAt(document, line.begin).begin;
-  auto above = text.substr(begin, line.begin - begin);
-  auto open = Reader(above).run();
-  if (open.empty()) return 0;
-  return Rules(above, open.back()).indentation(firstWordIn(text.substr(line.begin, line.length())));
 }
 
 } // namespace proskill::syntax

@@ -5,6 +5,7 @@
 #include "tests/syntax/programs.h"
 #include "tests/syntax/random_words.h"
 
+#include <array>
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -204,15 +205,54 @@ TEST_CASE("a new line is indented as the formatter would, whether the program is
   CHECK(typed("(defskill m \n^") == "(defskill m\n  ");
   CHECK(typed("(defskill m\n  :body\n^") == "(defskill m\n  :body\n    ");
   CHECK(typed("(defskill m\n  :body\n    ((f)\n^") == "(defskill m\n  :body\n    ((f)\n     ");
-  CHECK(typed("  ((if (a B)\n^") == "  ((if (a B)\n      ");
-  CHECK(typed("  ((if (a B)\n      (f)\n^   else") == "  ((if (a B)\n      (f)\n    else");
-  CHECK(typed("  ((// ((f)) ; one\n^") == "  ((// ((f)) ; one\n       ");
+  CHECK(typed("((if (a B)\n^") == "((if (a B)\n    ");
+  CHECK(typed("((if (a B)\n    (f)\n^   else") == "((if (a B)\n    (f)\n  else");
+  CHECK(typed("((// ((f)) ; one\n^") == "((// ((f)) ; one\n     ");
   CHECK(typed("(defskill m\n  :success done (:effects (a B)\n^)") ==
         "(defskill m\n  :success done (:effects (a B)\n                 )");
+  CHECK(typed("(defskill m\n  :success done\n^(:effects (a B))") ==
+        "(defskill m\n  :success done\n    (:effects (a B))");
+  CHECK(typed("(defskill m\n  :success done\n^:failure lost") ==
+        "(defskill m\n  :success done\n  :failure lost");
+  CHECK(typed("(defskill m\n  :success (done)\n^(") == "(defskill m\n  :success (done)\n  (");
   CHECK(typed("(defskill m\n  :precondition (a (b C)\n^") ==
         "(defskill m\n  :precondition (a (b C)\n                 ");
   CHECK(typed("(defsv a :init 1 :max 2)\n   ^") == "(defsv a :init 1 :max 2)\n   ");
   CHECK(typed("(defsv a :init 1 :max 2)\n^   ") == "(defsv a :init 1 :max 2)\n");
+}
+
+TEST_CASE("Enter indents the line that it ends, too") {
+  CHECK(typed("(defskill m\n:body \n^") == "(defskill m\n  :body\n    ");
+  CHECK(typed("(defskill m\n  :body\n  ((f)\n^  (g)") ==
+        "(defskill m\n  :body\n    ((f)\n     (g)");
+  CHECK(typed("(defskill m\n:body\n((f)\n^") == "(defskill m\n:body\n    ((f)\n     ");
+  CHECK(typed("(defskill m\n \n^") == "(defskill m\n\n  ");
+  CHECK(typed("(defskill m\n  ; what follows\n^") == "(defskill m\n  ; what follows\n  ");
+  CHECK(typed("(defskill m\n; of what follows\n^") == "(defskill m\n; of what follows\n  ");
+}
+
+TEST_CASE("lines that were typed are indented below each other, and no others") {
+  const std::string text = "(defevent  e)\n  (defskill m\n:body\n   ((f)  \n  \n (g)\n(h)\n";
+  const auto document = Document::parse(text);
+  const auto formatted = [&](std::vector<std::uint32_t> lines) {
+    return syntax::applyEdits(text, syntax::formatLines(document, lines));
+  };
+  CHECK(formatted({1, 2, 3, 4, 5}) ==
+        "(defevent  e)\n(defskill m\n  :body\n    ((f)\n\n     (g)\n(h)\n");
+  CHECK(formatted({3, 5}) ==
+        "(defevent  e)\n  (defskill m\n:body\n      ((f)\n  \n       (g)\n(h)\n");
+  CHECK(formatted({}) == text);
+}
+
+TEST_CASE("lines are indented where the formatter puts them") {
+  for (const auto& program : test::allPrograms()) {
+    const auto text = formatted(program);
+    const auto document = Document::parse(text);
+    for (std::uint32_t line = 0; line < document.lines().lineCount(); ++line) {
+      INFO(text.substr(0, document.lines().line(line, text).end));
+      CHECK(syntax::formatLines(document, std::array{line}).empty());
+    }
+  }
 }
 
 TEST_CASE("a definition that is closed is laid out, and nothing around it") {
