@@ -190,6 +190,7 @@ const std::map<std::string, Handler, std::less<>>& handlers() {
   static const std::map<std::string, Handler, std::less<>> kHandlers{
       {"proskill/automaton", noProgram},
       {"proskill/explain", noProgram},
+      {"proskill/indent", nothing},
       {"proskill/model", noProgram},
       {"proskill/recording", nullptr},
       {"proskill/simulate", nullptr},

@@ -2,6 +2,8 @@
 #include "lsp/protocol/edits.h"
 #include "syntax/format/format.h"
 
+#include <set>
+
 namespace proskill::lsp {
 
 namespace {
@@ -40,7 +42,7 @@ Answer rangesFormatting(const Request& request) {
   auto view = documentView(request);
   if (!view) return std::unexpected(view.error());
   if (!request.params.contains("ranges") || !request.params["ranges"].is_array())
-    return std::unexpected(rpc::RpcError{rpc::ErrorCode::InvalidParams, "`ranges` is missing"});
+    return std::unexpected(invalidParams("`ranges` is missing"));
   return formatRanges(request, *view, request.params["ranges"]);
 }
 
@@ -54,6 +56,28 @@ Answer onTypeFormatting(const Request& request) {
   return textEdits(Converter(at->view, request), at->view.file, edits);
 }
 
+/// The offset of the beginning of a line.
+std::expected<syntax::Offset, rpc::RpcError> lineBegin(const Request& request,
+                                                       const ide::View& view, const Json& number) {
+  return offsetOf(view, {{"line", number}, {"character", 0U}}, request.client.encoding);
+}
+
+Answer indent(const Request& request) {
+  auto view = documentView(request);
+  if (!view) return std::unexpected(view.error());
+  const auto& lines = rpc::memberAt(request.params, {"lines"});
+  if (!lines.is_array()) return std::unexpected(invalidParams("`lines` is missing"));
+  std::set<std::uint32_t> numbers;
+  for (const auto& number : lines) {
+    const auto begin = lineBegin(request, *view, number);
+    if (!begin) return std::unexpected(begin.error());
+    numbers.insert(view->document().lines().position(*begin).line);
+  }
+  const std::vector<std::uint32_t> typed(numbers.begin(), numbers.end());
+  return textEdits(Converter(*view, request), view->file,
+                   syntax::formatLines(view->document(), typed));
+}
+
 } // namespace
 
 void addFormatting(Registry& registry) {
@@ -61,6 +85,7 @@ void addFormatting(Registry& registry) {
   registry.add("textDocument/rangeFormatting", rangeFormatting);
   registry.add("textDocument/rangesFormatting", rangesFormatting);
   registry.add("textDocument/onTypeFormatting", onTypeFormatting);
+  registry.add("proskill/indent", indent);
   registry.capabilities["documentFormattingProvider"] = true;
   registry.capabilities["documentRangeFormattingProvider"] = {{"rangesSupport", true}};
   registry.capabilities["documentOnTypeFormattingProvider"] = {{"firstTriggerCharacter", "\n"},

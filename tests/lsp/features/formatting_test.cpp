@@ -52,4 +52,15 @@ TEST_CASE("formatting of lines, and of what is typed") {
         -32602);
 }
 
+TEST_CASE("lines that were typed are indented on request") {
+  Session session;
+  session.initialize();
+  session.open(kMain, "(defskill m\n:body\n((f)\n(g)\n");
+  CHECK(session.result("proskill/indent", params({{"lines", {3, 1, 2, 2}}})) ==
+        Json::array({edit(1, 0, 0, "  "), edit(2, 0, 0, "    "), edit(3, 0, 0, "     ")}));
+  CHECK(session.result("proskill/indent", params({{"lines", {70}}})) == Json::array());
+  for (const auto& lines : {Json(), Json("1"), Json::array({-1}), Json::array({"1"})})
+    CHECK(session.ask("proskill/indent", params({{"lines", lines}}))["error"]["code"] == -32602);
+}
+
 } // namespace proskill::test::formatting_test
