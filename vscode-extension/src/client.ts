@@ -6,6 +6,7 @@ import { LensRequests } from './lens_requests';
 import * as protocol from './protocol';
 import { Restarts } from './restarts';
 import { initializationOptions } from './settings';
+import { TypedLines } from './writing/typed_lines';
 
 /** Milliseconds that a server may take to start before a request fails. */
 const kMostToStart = 30_000;
@@ -35,6 +36,7 @@ export class Client implements vscode.Disposable {
   private readonly restarts = new Restarts();
   private readonly lensRequests = new LensRequests();
   private readonly lensCommands = new LensCommands(this.lensRequests.middleware);
+  private readonly typedLines = new TypedLines(() => (this.ready ? this.current : undefined));
   /** whether the server was started for a trusted workspace */
   private trusted = false;
 
@@ -126,6 +128,7 @@ export class Client implements vscode.Disposable {
       outputChannel: this.output,
       middleware: {
         ...this.lensCommands.middleware,
+        provideOnTypeFormattingEdits: this.typedLines.middleware,
         // otherwise the server would show the whole explanation in a message
         executeCommand: (command, args, next) => (command === 'proskill.explain' ? this.explaining(String(args[0])) : next(command, args)),
       },
@@ -181,6 +184,7 @@ export class Client implements vscode.Disposable {
     void this.stop();
     this.lensCommands.dispose();
     this.lensRequests.dispose();
+    this.typedLines.dispose();
     this.output.dispose();
   }
 

@@ -1,6 +1,6 @@
 /** The server's own requests (docs/lsp.md). What the panel shows has the panel's types. */
 import { NotificationType, RequestType } from 'vscode-languageclient/node';
-import type { Location, Position, TextDocumentIdentifier } from 'vscode-languageclient/node';
+import type { Location, Position, TextDocumentIdentifier, TextEdit } from 'vscode-languageclient/node';
 import type * as panel from '../../panel/src/api';
 
 export type { panel };
@@ -122,5 +122,6 @@ export const simulate = new RequestType<
   { textDocument: TextDocumentIdentifier } & panel.ChosenRun, panel.Simulation, void>('proskill/simulate');
 export const explain = new RequestType<
   { code: string }, { code: string; title: string; markdown: string; plain: string }, void>('proskill/explain');
+export const indent = new RequestType<{ textDocument: TextDocumentIdentifier; lines: number[] }, TextEdit[], void>('proskill/indent');
 export const verdicts = new NotificationType<Verdicts>('proskill/verdicts');
 export const inView = new NotificationType<{ textDocument: TextDocumentIdentifier; range?: panel.Range }>('proskill/view');

@@ -1,5 +1,6 @@
 // A new user, and how long things take after a click. Figures are printed, and nothing is asserted of them.
 // PROSKILL_TYPE_DELAY=200 types as a person does, for the stopwatch: milliseconds a key.
+import { execFileSync } from 'node:child_process';
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { loadavg } from 'node:os';
 import { join } from 'node:path';
@@ -23,9 +24,17 @@ const kFormatted = '(defskill wait_a_moment :success done :body ((^ [1,2]) (succ
 /** A hint at the end of the first line. */
 const kDuration = ' 1 to 2 s';
 
+/** A definition in the style of nobody. */
+const kPasted = '(defevent slam\n      :effects (door Shut)\n    )\n';
+
 /** The visible lines of the text that has no name yet. */
 const shownText = async (page) => (await page.evaluate(() => [...document.querySelectorAll('.monaco-editor[data-uri^="untitled:"] .view-line')]
   .sort((a, b) => parseFloat(a.style.top) - parseFloat(b.style.top)).map((it) => it.textContent).join('\n'))).replaceAll('\u00a0', ' ');
+
+/** The same without hints, and without the empty line at the end. */
+const typedText = async (page) => (await shownText(page)).replace(/[^\S\n]*(\d+ to )?\d+ s[^\S\n]*$/gm, '').trimEnd();
+
+const indentation = (line) => /^ */.exec(line)[0].length;
 
 const words = (text) => text.replace(/\s+/g, ' ').trim();
 
@@ -124,6 +133,52 @@ export const scenarios = {
     }
     await expect('the definition as typed, formatted', async () => words(await shownText(page)).replace(kDuration, '') === kFormatted);
     await editor.picture('typed_lines');
+    await editor.emptyText();
+    await editor.closeAll();
+  },
+
+  /**
+   * Lines typed faster than the server answers: nothing drifts to the right meanwhile, and when it answers, each line gets its indentation, except that of
+   * the caret. What was pasted or undone stays as it is.
+   */
+  async typed_ahead({ editor, page, server, proskill }) {
+    const formatted = execFileSync(proskill, ['fmt', '-'], { input: kFirst.join('\n'), encoding: 'utf8' }).replace(/\n+/g, '\n').trimEnd();
+    await editor.closeAll();
+    await editor.command('ProSkill: New Program');
+    await page.locator('.tab.active').filter({ hasText: 'Untitled' }).waitFor();
+    await page.keyboard.type(';');
+    await editor.statusSays(/good|no/); // the server knows the text
+    await editor.press('Backspace');
+    const { pid } = server.servers().find(({ args }) => args[0] === 'lsp');
+    process.kill(pid, 'SIGSTOP');
+    try {
+      for (const line of kFirst) {
+        await page.keyboard.type(line.trim(), { delay: kDelay });
+        await editor.press('Enter');
+      }
+      await editor.picture('typed_ahead-stopped');
+      const deepest = Math.max(...formatted.split('\n').map(indentation));
+      equal('lines that have drifted', (await typedText(page)).split('\n').filter((line) => indentation(line) > deepest), []);
+    } finally {
+      process.kill(pid, 'SIGCONT');
+    }
+    await expect('the text, formatted', async () => (await typedText(page)) === formatted, 20_000).catch(() => undefined);
+    equal('the text', await typedText(page), formatted);
+    equal('the caret', await editor.caret(), `Ln ${formatted.split('\n').length + 1}, Col 1`);
+    await editor.picture('typed_ahead');
+    await page.evaluate((text) => navigator.clipboard.writeText(text), kPasted);
+    await editor.press('Control+v');
+    await page.keyboard.type('(defskill rest', { delay: kDelay });
+    await editor.press('Enter');
+    await page.keyboard.type(':time_interval [1,2]', { delay: kDelay });
+    await editor.press('Enter', 'Control+Home');
+    const pasted = [formatted, kPasted + '(defskill rest', '  :time_interval [1,2]', ')'];
+    await expect('the text as it was pasted and typed', async () => words(await typedText(page)) === words(pasted.join('\n')));
+    equal('the pasted text', (await shownText(page)).includes(kPasted.trimEnd()), true);
+    await expect('nothing after undo', async () => {
+      await editor.press('Control+z');
+      return (await typedText(page)) === '';
+    });
     await editor.emptyText();
     await editor.closeAll();
   },
