@@ -162,7 +162,7 @@ void Server::textsChanged(const std::vector<Path>& texts,
                           std::shared_ptr<const ide::Snapshot> before) {
   changed();
   for (const auto& path : texts) refresher.changed(path, *before, debounce());
-  verification.textsChanged(workspace.snapshot(),
+  verification.textsChanged(workspace.snapshot(), lostPaths(workspace.inexactTexts()),
                             texts.empty() ? std::nullopt : std::optional(texts.back()));
   forget(std::move(before));
 }
@@ -187,7 +187,8 @@ void Server::changed() {
 /// Texts changed other than by editing.
 void Server::textsChanged() {
   changed();
-  verification.textsChanged(workspace.snapshot(), std::nullopt);
+  verification.textsChanged(workspace.snapshot(), lostPaths(workspace.inexactTexts()),
+                            std::nullopt);
 }
 
 } // namespace proskill::lsp

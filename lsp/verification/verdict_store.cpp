@@ -38,6 +38,11 @@ std::string_view nameOf(VerificationState state) {
   return "";
 }
 
+bool containsAny(const analysis::Program& program, const std::set<std::filesystem::path>& files) {
+  return std::ranges::any_of(program.files,
+                             [&](const auto& file) { return files.contains(file.path); });
+}
+
 bool hasChanged(const analysis::Program& program,
                 const std::map<std::filesystem::path, std::int64_t>& wereOpen,
                 const ide::OpenTexts& open) {
@@ -142,12 +147,15 @@ void VerdictStore::forget(ProgramState& state, std::string why) {
   tell(state);
 }
 
-bool VerdictStore::noticeEdit(const ide::OpenTexts& open, const ide::IncludeGraph& includes) {
+bool VerdictStore::noticeEdit(const ide::OpenTexts& open, const ide::IncludeGraph& includes,
+                              const std::set<std::filesystem::path>& lost) {
   const std::lock_guard lock(mutex);
   bool changed = false;
   for (auto it = entries.begin(); it != entries.end();) {
     auto& state = it->second;
-    if (const char* why = whyGone(it->first, state.program->program, open, includes)) {
+    const bool isLost = containsAny(state.program->program, lost);
+    const char* why = isLost ? nullptr : whyGone(it->first, state.program->program, open, includes);
+    if (why) {
       forget(state, why);
       it = entries.erase(it);
       changed = true;
@@ -156,7 +164,7 @@ bool VerdictStore::noticeEdit(const ide::OpenTexts& open, const ide::IncludeGrap
     ++it;
     if (!state.verified) continue;
     const auto& verdicts = *state.verified->verdicts;
-    const bool stale = hasChanged(verdicts.program->program, verdicts.versions, open);
+    const bool stale = isLost || hasChanged(verdicts.program->program, verdicts.versions, open);
     if (stale == state.stale) continue;
     state.stale = stale;
     if (state.state != VerificationState::Off)

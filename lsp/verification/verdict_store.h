@@ -56,8 +56,10 @@ public:
 
   /// Call this after an edit: verdicts become stale if one of their texts has changed, and current
   /// again if the change is undone. Returns whether any verdicts did. Forgets programs without open
-  /// texts, and files that belong to other programs now.
-  bool noticeEdit(const ide::OpenTexts& open, const ide::IncludeGraph& includes);
+  /// texts, and files that belong to other programs now. \param lost open texts that are not known:
+  /// verdicts about them are stale
+  bool noticeEdit(const ide::OpenTexts& open, const ide::IncludeGraph& includes,
+                  const std::set<std::filesystem::path>& lost = {});
 
 private:
   using Entries = std::map<std::filesystem::path, ProgramState>;
@@ -71,6 +73,9 @@ private:
   Entries entries;
   std::shared_ptr<const ide::Verdicts> published = std::make_shared<const ide::Verdicts>();
 };
+
+[[nodiscard]] bool containsAny(const analysis::Program& program,
+                               const std::set<std::filesystem::path>& files);
 
 /// Whether an open text of the program has changed.
 [[nodiscard]] bool hasChanged(const analysis::Program& program,

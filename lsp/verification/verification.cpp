@@ -76,11 +76,12 @@ void Verification::configure(const Json& section) {
   wake.notify_all();
 }
 
-void Verification::textsChanged(std::shared_ptr<const ide::Snapshot> now,
+void Verification::textsChanged(std::shared_ptr<const ide::Snapshot> now, Paths lostNow,
                                 const std::optional<std::filesystem::path>& inView) {
   {
     const std::lock_guard lock(mutex);
     snapshot = std::move(now);
+    lost = std::move(lostNow);
     if (inView) view(*inView);
     edited = true;
     due = std::chrono::steady_clock::now() + delayAfter(settings, took);
@@ -151,8 +152,9 @@ void Verification::live(const std::stop_token& stop) {
     }
     const auto now = snapshot;
     if (std::exchange(edited, false)) {
+      const auto lostNow = lost;
       lock.unlock();
-      noticeEdit(*now);
+      noticeEdit(*now, lostNow);
     } else {
       due.reset();
       const auto texts = textsByView();
@@ -171,8 +173,13 @@ void Verification::live(const std::stop_token& stop) {
   }
 }
 
-void Verification::noticeEdit(const ide::Snapshot& now) {
-  if (store.noticeEdit(now.open(), *now.includes())) outside.changed();
+void Verification::noticeEdit(const ide::Snapshot& now, const Paths& lostNow) {
+  if (store.noticeEdit(now.open(), *now.includes(), lostNow)) outside.changed();
+}
+
+bool Verification::hasLostText(const ide::AnalysedProgram& program) {
+  const std::lock_guard lock(mutex);
+  return containsAny(program.program, lost);
 }
 
 /// Programs that are not in view come last, and any edit or change of the view interrupts them.
@@ -200,7 +207,7 @@ void Verification::checkLive(const ide::Snapshot& now, const std::filesystem::pa
   bool isAnyNew = false;
   for (const auto& of : now.views(path)) {
     if (cancellation.isCancelled()) break;
-    if (!isVerifiable(*of.owner)) continue;
+    if (!isVerifiable(*of.owner) || hasLostText(*of.owner)) continue;
     if (!chosen.trusted)
       store.set(of.owner, VerificationState::Off, std::string(kUntrusted));
     else if (!chosen.live)

@@ -33,8 +33,11 @@ public:
   void start(const ClientFeatures& client, VerificationSettings settings);
   /// Applies the `verify` section of a workspace's settings.
   void configure(const Json& section);
-  /// Call this after every edit. \param inView the text that was edited or opened, if any
-  void textsChanged(std::shared_ptr<const ide::Snapshot> snapshot,
+  using Paths = std::set<std::filesystem::path>;
+
+  /// Call this after every edit. \param lost open texts that are not known, and so not in the
+  /// snapshot. \param inView the text that was edited or opened, if any
+  void textsChanged(std::shared_ptr<const ide::Snapshot> snapshot, Paths lost,
                     const std::optional<std::filesystem::path>& inView);
   /// Call this after `textsChanged` if files have changed on the disk: a verification of what they
   /// were is useless.
@@ -77,7 +80,8 @@ private:
                const VerificationSettings& settings, const rpc::Cancellation& cancellation);
   void beginWork(const Programs& program, const ide::OpenTexts& open);
   void endWork();
-  void noticeEdit(const ide::Snapshot& now);
+  void noticeEdit(const ide::Snapshot& now, const Paths& lostNow);
+  [[nodiscard]] bool hasLostText(const ide::AnalysedProgram& program);
   void announce(const ProgramState& state);
   void log(std::string_view line) const {
     if (outside.log) outside.log(line);
@@ -101,6 +105,7 @@ private:
   VerdictNews verdictNews = VerdictNews::None; ///< what the client is sent
   bool started = false;
   std::shared_ptr<const ide::Snapshot> snapshot;
+  Paths lost;                                     ///< open texts that are not known
   std::map<std::filesystem::path, Lines> visible; ///< visible lines of the texts in view
   /// Open texts that the user has viewed, the last one first.
   std::list<std::filesystem::path> viewed;

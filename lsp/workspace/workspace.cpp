@@ -65,6 +65,13 @@ const InexactText* lostIn(const InexactTexts& texts, const fs::path& path) {
   return found != texts.end() && found->second.isLost ? &found->second : nullptr;
 }
 
+std::set<fs::path> lostPaths(const InexactTexts& texts) {
+  std::set<fs::path> lost;
+  for (const auto& [path, text] : texts)
+    if (text.isLost) lost.insert(path);
+  return lost;
+}
+
 bool Workspace::isIncluded(const Json& params) const {
   const auto path = documentPath(params);
   const auto whole = path ? wholeVersions.find(*path) : wholeVersions.end();

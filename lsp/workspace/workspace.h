@@ -40,6 +40,7 @@ using InexactTexts = std::map<std::filesystem::path, InexactText>;
 /// The text of this path if it is lost; otherwise null.
 [[nodiscard]] const InexactText* lostIn(const InexactTexts& texts,
                                         const std::filesystem::path& path);
+[[nodiscard]] std::set<std::filesystem::path> lostPaths(const InexactTexts& texts);
 
 /// The texts that the client has open and the files of its folders. The main thread changes them
 /// and takes snapshots.

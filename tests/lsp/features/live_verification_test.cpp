@@ -87,6 +87,30 @@ TEST_CASE("a program that is opened does not wait for one that is no longer in v
   CHECK(news["program"] == other); // otherwise the first verification has reached its limit
 }
 
+TEST_CASE("verdicts are outdated while a text of their program is not known") {
+  const std::string lost = GENERATE(kMain, kLamp);
+  Session::Options options;
+  options.initializationOptions = kLive;
+  Session session(options);
+  openLamp(session, kBad);
+  verdictsIn(session, "done");
+  session.open(kLamp, kLampText);
+  const auto changed = [&](int version, const std::string& change) {
+    session.sendBody(fmt::format(
+        R"({{"jsonrpc":"2.0","method":"textDocument/didChange","params":{{"textDocument":{{"uri":"{}","version":{}}},"contentChanges":[{}]}}}})",
+        lost, version, change));
+  };
+  changed(
+      2,
+      R"({"range":{"start":{"line":0,"character":0},"end":{"line":0,"character":0}},"text":"\ud83d"})");
+  auto news = verdictsIn(session, "waiting");
+  CHECK(news["stale"] == true);
+  CHECK(news["counts"]["errors"] == 1);
+  changed(3, Json{{"text", lost == kMain ? kBad : kLampText}}.dump());
+  news = verdictsIn(session, "done");
+  CHECK(news["stale"] == false);
+}
+
 TEST_CASE("a request for one property leaves the others to live verification") {
   Session::Options options;
   options.initializationOptions = kLive;

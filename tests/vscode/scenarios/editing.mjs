@@ -109,6 +109,7 @@ export const scenarios = {
     await editor.command('Snippets: Insert Snippet');
     await editor.answer('half');
     await editor.squigglesHere().first().waitFor();
+    await editor.statusSays(/1 bad \(outdated\)/); // until the server knows the text again
     await editor.type('a');
     await editor.squigglesHere().first().waitFor({ state: 'detached' });
     await editor.goTo(2, 32);
