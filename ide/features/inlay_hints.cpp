@@ -34,7 +34,11 @@ struct VariableMention {
 
 class Hints {
 public:
-  Hints(const View& view, syntax::Range range) : view(view), range(range), flow(quickFlow(view)) {}
+  Hints(const View& view, syntax::Range range, const Verdicts& verdicts)
+      : view(view),
+        range(range),
+        flow(quickFlow(view)),
+        measured(currentVerdicts(verdicts, view)) {}
 
   std::vector<InlayHint> gather() && {
     for (const auto& skill : view.program().skills.all)
@@ -84,11 +88,21 @@ private:
     const auto taken = durations->of(id);
     if (taken && !taken->most && taken->least == syntax::Rational{})
       return; // any duration: not worth a hint
+    if (addMeasured(skill)) return;
     const auto text = taken ? flow::words(*taken) : std::string("never ends");
     add({HintKind::Duration, skill.name.range.end, text,
          "From the start of the skill to its end, in runs that nobody stops; computed from its "
          "parts.",
          std::nullopt});
+  }
+
+  bool addMeasured(const syntax::Skill& skill) {
+    const auto* known = measured ? durationOf(*measured, skill.name.text) : nullptr;
+    auto text = known ? durationText(*known) : std::string();
+    if (text.empty()) return false;
+    add({HintKind::Duration, skill.name.range.end, std::move(text),
+         durationSentence(*known, mayTimeStop(*measured)), std::nullopt});
+    return true;
   }
 
   /// Adds values; one place in the text may be several steps.
@@ -159,6 +173,7 @@ private:
   const View& view;
   syntax::Range range;
   std::shared_ptr<const KnownFlow> flow;
+  std::shared_ptr<const ProgramVerdicts> measured;
   std::optional<flow::Durations> durations;
   std::vector<InlayHint> hints;
 };
@@ -176,9 +191,10 @@ std::optional<InlayHint> kept(InlayHint hint, const SkillBeforeErrors& skill, sy
 
 /// Adds what was known from the flow before the program had errors, so that hints do not come and
 /// go with each key.
-void addKept(const View& view, syntax::Range range, std::vector<InlayHint>& hints) {
+void addKept(const View& view, syntax::Range range, const Verdicts& verdicts,
+             std::vector<InlayHint>& hints) {
   for (const auto& skill : skillsBeforeErrors(view, range))
-    for (auto& hint : Hints(skill.view, skill.range).gather()) {
+    for (auto& hint : Hints(skill.view, skill.range, verdicts).gather()) {
       if (hint.kind == HintKind::ArgumentType) continue; // needs no flow
       if (auto now = kept(std::move(hint), skill, range)) hints.push_back(std::move(*now));
     }
@@ -187,9 +203,9 @@ void addKept(const View& view, syntax::Range range, std::vector<InlayHint>& hint
 
 } // namespace
 
-std::vector<InlayHint> inlayHints(const View& view, syntax::Range range) {
-  auto hints = Hints(view, range).gather();
-  addKept(view, range, hints);
+std::vector<InlayHint> inlayHints(const View& view, syntax::Range range, const Verdicts& verdicts) {
+  auto hints = Hints(view, range, verdicts).gather();
+  addKept(view, range, verdicts, hints);
   return hints;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ide/snapshot/snapshot.h"
+#include "ide/verdicts/verdicts.h"
 
 #include <optional>
 #include <string>
@@ -22,8 +23,10 @@ struct InlayHint {
 /// In the order of the text: the types of inputs of calls with literals, the possible values of a
 /// tested variable if they are fewer than elsewhere, and the durations of bodies. Facts about a
 /// large program that are not computed yet are omitted. While a program has errors, the last two
-/// are those of its last version without errors, except where the text has changed.
-[[nodiscard]] std::vector<InlayHint> inlayHints(const View& view, syntax::Range range);
+/// are those of its last version without errors, except where the text has changed. A duration that
+/// was measured for exactly these texts is shown as in lenses and hovers.
+[[nodiscard]] std::vector<InlayHint> inlayHints(const View& view, syntax::Range range,
+                                                const Verdicts& verdicts = {});
 
 /// A name whose value a debugger shows next to it.
 struct InlineVariable {

@@ -56,7 +56,7 @@ Answer inlayHint(const Request& request) {
   const Json data{{"textDocument", request.params["textDocument"]},
                   {"version", versionOf(request, asked->view)}};
   Json result = Json::array();
-  for (const auto& hint : ide::inlayHints(asked->view, asked->range)) {
+  for (const auto& hint : ide::inlayHints(asked->view, asked->range, *request.verdicts)) {
     Json json{{"position", convert.position(asked->view.file, hint.at)},
               {"label", labelOf(hint)},
               {"kind", kindOf(hint.kind)},
@@ -82,7 +82,8 @@ Answer resolveHint(const Request& request) {
   auto at = offsetOf(*view, rpc::memberAt(request.params, {"position"}), request.client.encoding);
   if (!at) return std::unexpected(at.error());
   Json json = request.params;
-  for (const auto& hint : ide::inlayHints(*view, {*at - std::min(*at, 1U), *at})) {
+  for (const auto& hint :
+       ide::inlayHints(*view, {*at - std::min(*at, 1U), *at}, *request.verdicts)) {
     if (hint.at != *at || textOfLabel(rpc::memberAt(json, {"label"})) != hint.label) continue;
     addTooltip(json, hint);
     addLocation(json, hint, Converter(*view, request));

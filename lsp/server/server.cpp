@@ -42,7 +42,8 @@ Server::Server(rpc::Connection& connection, std::shared_ptr<const analysis::File
       announcer(peer),
       workspace(std::move(disk)),
       verification({options.worker, [this](std::string_view body) { outbox.send(body); },
-                    [this] { inbox.put([this] { verdictsChanged(); }); }, options.log}),
+                    [this] { inbox.put([this] { verdictsChanged(); }); },
+                    [this] { inbox.put([this] { durationsMeasured(); }); }, options.log}),
       publisher(
           peer, scheduler, statistics, client, [this] { return verification.verdicts(); },
           [this](const ide::Snapshot& snapshot) { findingsTold(snapshot); },
@@ -308,6 +309,11 @@ void Server::verdictsChanged() {
   if (phase != Phase::Running) return;
   refresher.verdictsChanged();
   if (!client.pullDiagnostics) publisher.changed(std::chrono::milliseconds(0));
+}
+
+void Server::durationsMeasured() {
+  verdictsChanged();
+  if (phase == Phase::Running) refresher.hintsChanged();
 }
 
 /// Hints of a large program do not wait for its flow analysis. Findings do, so now it is available.

@@ -73,6 +73,7 @@ private:
   template <class Old> void forget(Old old);
   [[nodiscard]] std::chrono::milliseconds debounce();
   void verdictsChanged();
+  void durationsMeasured();
   void findingsTold(const ide::Snapshot& snapshot);
 
   // server_texts.cpp

@@ -336,7 +336,7 @@ void Verification::measure(const Programs& program, const ide::OpenTexts& open,
   auto measured = readDurations(*report);
   if (!measured || measured->empty()) return;
   store.setDurations(program, std::move(*measured));
-  outside.changed();
+  outside.measured();
 }
 
 void Verification::record(const Programs& program, Verified verified) {

@@ -19,8 +19,10 @@ public:
   struct Outside {
     std::vector<std::string> worker;            ///< the command that runs `runVerifyWorker`
     std::function<void(std::string_view)> send; ///< sends the body of a message to the client
-    /// Verdicts have changed: diagnostics, lenses and hints must be updated.
+    /// Verdicts have changed: diagnostics and lenses must be updated.
     std::function<void()> changed;
+    /// Durations were measured: lenses and hints must be updated.
+    std::function<void()> measured;
     std::function<void(std::string_view)> log;
   };
 

@@ -151,6 +151,26 @@ TEST_CASE("after live verification the durations of skills are measured, and hov
   CHECK(lenses.dump().find("good · 2 to 5 s") != std::string::npos);
 }
 
+TEST_CASE("a measured duration is the same in lens and hint, and tighter than the computed one") {
+  Session::Options options;
+  options.initializationOptions = kLive;
+  options.capabilities["workspace"]["inlayHint"]["refreshSupport"] = true;
+  Session session(options);
+  session.initialize();
+  session.open(kMain, "(defsv n :states (A B) :init (A B))\n"
+                      "(defskill m :body ((if (n A) (^ 4)) (if (n B) (^ 8))))\n");
+  const auto hint = [&] {
+    auto asked = document(kMain);
+    asked["range"] = rangeOf(1, 0, 11);
+    return session.result("textDocument/inlayHint", asked)[0];
+  };
+  while (hint()["label"] == "0 to 12 s") (void)session.notified("workspace/inlayHint/refresh");
+  CHECK(hint()["label"] == "4 to 8 s");
+  CHECK(hint()["tooltip"] == "Takes 4 to 8 s, over all runs of the program.");
+  const auto lenses = session.result("textDocument/codeLens", document(kMain));
+  CHECK(lenses.dump().find("good · 4 to 8 s") != std::string::npos);
+}
+
 TEST_CASE("findings and verdicts on an imported program name their originals") {
   Session::Options options;
   options.initializationOptions = kLive;
