@@ -1,5 +1,6 @@
 #include "ide/completion/completer.h"
 #include "ide/description/describe.h"
+#include "syntax/text/natural.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -362,6 +363,7 @@ void Completer::files() {
     if (included.contains(file.native()) || snapshot.kindOf(file) != TextKind::File) continue;
     addFile(file.lexically_relative(folder));
   }
+  std::ranges::stable_sort(items, syntax::isNaturallyBefore, &Completion::label);
 }
 
 void Completer::addFile(const std::filesystem::path& relative) {

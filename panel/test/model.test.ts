@@ -47,6 +47,12 @@ test('a trace without steps has its first values', () => {
   assert.equal(new Values(trace({ a: '1' }, [])).at(-1).get('a'), '1');
 });
 
+test('variables are listed by their numbers', () => {
+  const numbered = trace({ s10: 'a', s2: 'a', s1: 'a', 's2.status': 'a', room: 'a' }, ['e: occurs @0 s10=a>b s2=a>b s1=a>b']);
+  assert.deepEqual(new Values(numbered).names, ['room', 's1', 's2', 's2.status', 's10']);
+  assert.deepEqual(lanesOf(numbered).filter(({ kind }) => kind === 'variable').map(({ name }) => name), ['s1', 's2', 's10']);
+});
+
 test('differences of values say what is new within them', () => {
   assert.equal(difference('4', '3').delta, '−1');
   assert.equal(difference('0.1', '0.3').delta, '+0.2');

@@ -333,9 +333,11 @@ TEST_CASE("paths of the workspace's files") {
   const std::map<std::string, std::string> files{
       {"main.proskill", "(include \"^\")\n(include \"lamp.proskill\")"},
       {"lamp.proskill", ""},
-      {"door.proskill", ""},
+      {"door10.proskill", ""},
+      {"door2.proskill", ""},
       {"deep/lift.proskill", ""}};
-  CHECK(labels(MarkedProgram(files)) == Labels{"door.proskill", "deep/lift.proskill"});
+  CHECK(labels(MarkedProgram(files)) ==
+        Labels{"door2.proskill", "door10.proskill", "deep/lift.proskill"});
 }
 
 TEST_CASE("an item tells the comment above its definition, and the manual's sentence") {

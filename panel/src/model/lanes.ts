@@ -1,5 +1,6 @@
 import type { ActorKind, Trace } from '../api.ts';
 import { actorsOf } from './actors.ts';
+import { byName } from './natural.ts';
 
 /** Colour of a bar: a value of a variable, or the outcome of a skill. */
 export type Tone = 'running' | 'success' | 'failure' | 'interrupted' | 'value';
@@ -95,7 +96,7 @@ export function lanesOf(trace: Trace): Lane[] {
     }
   }
   const changed = new Set(trace.steps.flatMap((step) => step.changes.map((change) => change.variable)));
-  for (const name of Object.keys(trace.initial))
+  for (const name of Object.keys(trace.initial).sort(byName))
     if (changed.has(name) && !isOfSkill(name)) lanes.push(variableLane(trace, name));
   return lanes
     .map((lane, index) => ({ lane, index }))

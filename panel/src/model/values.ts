@@ -1,10 +1,12 @@
 import type { Trace } from '../api.ts';
+import { byName } from './natural.ts';
 
 /** All values are stored at intervals of this many steps, so that others can be computed quickly. */
 const stride = 64;
 
 /** The values of all variables after any step of a trace. */
 export class Values {
+  /** sorted */
   readonly names: string[];
   private readonly kept: Map<string, string>[] = [];
 
@@ -15,7 +17,7 @@ export class Values {
       for (const change of step.changes) now.set(change.variable, change.after);
     });
     if (this.kept.length === 0) this.kept.push(new Map(now));
-    this.names = [...now.keys()];
+    this.names = [...now.keys()].sort(byName);
   }
 
   /** After the step with this index; -1: at the start. */

@@ -103,6 +103,13 @@ return {
     expect.contains(child:lua(notes)[2], 'why: step 1: uav_mission starts')
   end },
 
+  { 'variables are listed by their numbers', function(child)
+    local names = child:lua([[
+      return require('proskill.steps').variables({ initial = { s10 = '', s2 = '', s02 = '', room = '', ['k10.status'] = '', ['k9.status'] = '' } })
+    ]])
+    expect.equal(names, { 'room', 's02', 's2', 's10', 'k9.status', 'k10.status' })
+  end },
+
   { 'the quickfix list\'s own commands go through the trace', function(child)
     drone(child)
     trace(child, 'uav_mission.no_overshoot')

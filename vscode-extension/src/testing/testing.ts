@@ -3,6 +3,7 @@ import type { Client } from '../client';
 import type { DiskChanges } from '../disk_changes';
 import { LiveResults } from './live_results';
 import { locationOf, rangeOf } from '../places';
+import { byName } from '../../../panel/src/model/natural';
 import type { Programs } from '../programs';
 import * as protocol from '../protocol';
 import type { panel } from '../protocol';
@@ -98,7 +99,9 @@ export class Testing implements vscode.Disposable {
       const { programs } = await this.client.running.sendRequest(protocol.tests, { workspace: true });
       if (asked !== this.asked) return;
       const moved = new Set<string>();
-      this.controller.items.replace(programs.map((program) => this.programItem(program, labelOf(program, programs), moved)));
+      const items = programs.map((program) => this.programItem(program, labelOf(program, programs), moved));
+      [...items].sort((a, b) => byName(a.label, b.label)).forEach((item, index) => (item.sortText = orderText(index)));
+      this.controller.items.replace(items);
       this.edits.forget(programs.flatMap(({ texts }) => texts));
       for (const uri of moved) this.edits.forgetAll(uri);
       for (const program of this.programs.all()) this.news(program);
@@ -167,14 +170,14 @@ export class Testing implements vscode.Disposable {
 
   private subjectItem(parent: vscode.TestItem, program: string, subject: protocol.TestedSubject, index: number): vscode.TestItem {
     const item = this.item(parent.children, `${program}#${subject.id}`, subject.label, subject.location, parent.uri);
-    item.sortText = String(index).padStart(5, '0');
+    item.sortText = orderText(index);
     this.nodes.set(item, { kind: 'subject', program, properties: subject.properties.map(({ id }) => id) });
     // by default at the definition: a mark beside each line would not help
     const placeOf = (property: protocol.TestedSubject['properties'][number]): panel.Location | null =>
       marksStatements() ? (property.location ?? subject.location) : (subject.location ?? property.location);
     item.children.replace(subject.properties.map((property, place) => {
       const child = this.item(item.children, `${program}##${property.id}`, shortLabel(subject.label, property.label), placeOf(property), parent.uri);
-      child.sortText = String(place).padStart(5, '0');
+      child.sortText = orderText(place);
       this.nodes.set(child, { kind: 'property', program, name: property.id });
       return child;
     }));
@@ -301,6 +304,9 @@ function labelOf(program: protocol.TestedProgram, all: protocol.TestedProgram[])
   const isAlone = all.filter(({ label }) => label === program.label).length === 1;
   return isAlone ? program.label : vscode.workspace.asRelativePath(vscode.Uri.parse(program.uri));
 }
+
+/** VS Code sorts items as texts. */
+const orderText = (index: number): string => String(index).padStart(5, '0');
 
 /** Without backquotes, which would be shown literally. */
 const plain = (words: string): string => words.replaceAll('`', '');

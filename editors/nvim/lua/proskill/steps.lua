@@ -1,5 +1,6 @@
 -- A trace as data: its steps with their dates as text, and the values of all variables after each
 -- step.
+local natural = require('proskill.natural')
 local place = require('proskill.place')
 
 local M = {}
@@ -64,7 +65,7 @@ function M.variables(trace)
     if of_skill ~= other then
       return not of_skill
     end
-    return a < b
+    return natural.before(a, b)
   end)
   return names
 end
