@@ -11,6 +11,7 @@ import { scenarios as lenses } from './lenses.mjs';
 import { scenarios as mission } from './mission.mjs';
 import { scenarios as opening } from './opening.mjs';
 import { scenarios as picture } from './picture.mjs';
+import { scenarios as pictures } from './pictures.mjs';
 import { scenarios as secondDay } from './second_day.mjs';
 import { scenarios as simulation } from './simulation.mjs';
 import { scenarios as testing } from './testing.mjs';
@@ -21,5 +22,5 @@ import { scenarios as verification } from './verification.mjs';
 import { scenarios as walkthrough } from './walkthrough.mjs';
 
 export const scenarios = {
-  ...trust, ...editing, ...automaton, ...picture, ...verification, ...testing, ...traces, ...opening, ...lenses, ...typing, ...imports, ...large, ...simulation, ...mission, ...secondDay, ...folders, ...copies, ...first, ...debugging, ...walkthrough,
+  ...trust, ...editing, ...automaton, ...picture, ...verification, ...testing, ...traces, ...opening, ...lenses, ...typing, ...imports, ...large, ...simulation, ...mission, ...secondDay, ...folders, ...copies, ...first, ...debugging, ...walkthrough, ...pictures,
 };
