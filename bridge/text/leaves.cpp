@@ -139,6 +139,8 @@ std::expected<Leaves, Errors> Leaves::read(std::string_view text,
   try {
     // Deep nesting cannot exhaust the stack: the parser has a stack of its own.
     const auto json = Json::parse(text);
+    if (const auto end = text.find('\0'); end != std::string_view::npos) // the parser ends there
+      return wrong(end, "the file is not JSON");
     if (!json.is_object()) return wrong(0, "the file must contain an object");
     return LeavesReader(json, JsonPlaces(text, file)).read();
   } catch (const Json::parse_error& error) {

@@ -39,6 +39,7 @@ leaves.json:9:3: /ticks is not a field of this file
 TEST_CASE("a text that is not a file of leaves is an error at its place") {
   CHECK(leavesErrors("[") == "leaves.json:1:2: the file is not JSON\n");
   CHECK(leavesErrors("{\n  \"tick\": 1,\n}") == "leaves.json:3:1: the file is not JSON\n");
+  CHECK(leavesErrors(std::string("{}\n\0 ]", 6)) == "leaves.json:2:1: the file is not JSON\n");
   CHECK(leavesErrors("[1]") == "leaves.json:1:1: the file must contain an object\n");
   CHECK(leavesErrors("{\"tick\": 1e999}") == "leaves.json:1:10: the number is too large\n");
   CHECK(leavesErrors("\xEF\xBB\xBF{\"leaves\": 1}") ==
