@@ -168,6 +168,7 @@ export const scenarios = {
     await editor.picture('typed_ahead');
     await page.evaluate((text) => navigator.clipboard.writeText(text), kPasted);
     await editor.press('Control+v');
+    await expect('the pasted text', async () => (await shownText(page)).includes(kPasted.trimEnd()));
     await page.keyboard.type('(defskill rest', { delay: kDelay });
     await editor.press('Enter');
     await page.keyboard.type(':time_interval [1,2]', { delay: kDelay });
