@@ -239,11 +239,25 @@ bool Verification::isAnyDecided(const auto& decide) {
 bool Verification::isShownBySlice(std::size_t index, const Evidence* evidence,
                                   const Witness& witness) {
   if (!evidence) return answerTrue(index);
-  auto made = shown(index, compiled.goals[index], *evidence, witness);
+  auto made = shownIfPossible(index, *evidence, witness);
   if (!made) return false;
   keep(index, {false, *evidence});
   answer(index, std::move(*made));
   return true;
+}
+
+/// If the trace of a run meets the memory limit, the run is confirmed without it.
+std::optional<Answer> Verification::shownIfPossible(std::size_t index, const Evidence& evidence,
+                                                    const Witness& witness) const {
+  const auto& goal = compiled.goals[index];
+  try {
+    auto made = shown(index, goal, evidence, witness);
+    return made ? std::optional(std::move(*made)) : std::nullopt;
+  } catch (const LimitMet& limit) {
+    if (limit.which != kMemoryLimitMet) throw;
+    if (!witness.answer(goal, evidence, false)) return std::nullopt;
+    return Answer{Truth::False, std::nullopt, "without a trace: " + limit.which};
+  }
 }
 
 std::optional<Unsupported> Verification::searchFor(std::size_t index) {

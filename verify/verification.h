@@ -75,6 +75,8 @@ private:
   [[nodiscard]] bool wantsTrace(std::size_t index) const;
   bool exploreNewest(const std::vector<std::size_t>& which, std::uint64_t most);
   bool exploreByWalks(const std::vector<std::size_t>& which, std::uint64_t most);
+  [[nodiscard]] std::optional<Answer> shownIfPossible(std::size_t index, const Evidence& evidence,
+                                                      const Witness& witness) const;
   bool isShownBySlice(std::size_t index, const Evidence* evidence, const Witness& witness);
 
   // questions with a search of their own
