@@ -18,6 +18,9 @@ const kWhole = { width: 1440, height: 900 };
 
 const tidy = (text) => text.replace(/[\s\u200b]+/g, ' ').trim();
 
+/** The words of the panel but its steps: of these only some beside those in view exist. */
+const inPanel = () => document.body.innerText.replace(document.querySelector('.steps')?.innerText ?? '', '');
+
 /** The words of lenses, of the properties of a text without a name, of the status bar and of the panel. */
 async function wordsOf(page, panel) {
   const of = async (where) => (await where.allTextContents()).map(tidy).filter(Boolean).sort();
@@ -27,17 +30,20 @@ async function wordsOf(page, panel) {
     tests: panel ? [] : (await of(page.locator('.test-explorer .monaco-list-row .label')))
       .map((label) => label.replace(/[\d.]+m?s$/, '')).filter((label) => !/\.proskill$|Untitled-/.test(label)),
     status: await of(page.locator('[id$="proskill.status"]')),
-    panel: panel ? tidy(await panel.evaluate(() => document.body.innerText)).split(/(?<=[.:]) /) : [],
+    panel: panel ? tidy(await panel.evaluate(inPanel)).split(/(?<=[.:]) /) : [],
   };
 }
 
 /** Either makes a picture, or compares the words in it with those of today. */
 async function shown({ editor, page, tree }, name, panel) {
   await page.mouse.move(720, 639); // nothing to hover
-  const words = await wordsOf(page, panel);
   const known = JSON.parse(readFileSync(kWords, 'utf8'));
+  const isUpdate = process.env.PROSKILL_UPDATE === '1';
+  let words;
+  const isKnown = async () => JSON.stringify((words = await wordsOf(page, panel))) === JSON.stringify(known[name]);
+  await expect('the known words', isKnown, isUpdate ? 3_000 : 20_000).catch(() => undefined); // some come later
   await editor.picture(`pictures-${name}`);
-  if (process.env.PROSKILL_UPDATE !== '1') return equal(`the words in ${kFiles[name]}, which are outdated`, known[name], words);
+  if (!isUpdate) return equal(`the words in ${kFiles[name]}, which are outdated`, known[name], words);
   writeFileSync(kWords, `${JSON.stringify({ ...known, [name]: words }, null, 1)}\n`);
   await page.screenshot({ path: join(tree, kFiles[name]) });
 }
