@@ -48,11 +48,20 @@ async function shown({ editor, page, tree }, name, panel) {
   await page.screenshot({ path: join(tree, kFiles[name]) });
 }
 
+/** Closes the panel of consoles, which others have left open. */
+async function hideConsoles({ editor, page }) {
+  const consoles = page.locator('[id="workbench.parts.panel"]');
+  if (!(await consoles.isVisible())) return;
+  await editor.command('View: Hide Panel');
+  await consoles.waitFor({ state: 'hidden' });
+}
+
 export const scenarios = {
   /** A trace of the drone's mission, beside its text and its properties. */
   async picture_of_the_readme(world) {
     const { editor, page } = world;
     await editor.closeAll();
+    await hideConsoles(world);
     await editor.openFile('drone/drone.proskill');
     await editor.statusSays(/\d+ bad, \d+ warnings?$/, 60_000);
     await editor.command('Testing: Focus on Test Explorer View');
@@ -72,6 +81,7 @@ export const scenarios = {
     const { editor, page, tree } = world;
     const [, program] = /```proskill\n([^]*?)\n```/.exec(readFileSync(join(tree, 'vscode-extension/walkthrough/write.md'), 'utf8'));
     await editor.closeAll();
+    await hideConsoles(world);
     await editor.command('Notifications: Clear All Notifications');
     await editor.command('Testing: Focus on Test Explorer View');
     await page.setViewportSize(kSmall);
