@@ -14,7 +14,9 @@ namespace {
 constexpr std::uint64_t kClassesForOne = 4; ///< neither slices nor distances are computed
 constexpr std::uint64_t kLeastClasses = 1'000;
 constexpr std::uint64_t kMostClasses = 20'000;
-constexpr std::uint64_t kMostPerStep = 100; ///< of the plan
+/// Classes for each step of the plan.
+constexpr std::uint64_t kLeastPerStep = 8;
+constexpr std::uint64_t kMostPerStep = 100;
 
 } // namespace
 
@@ -28,7 +30,8 @@ PlanSearch::PlanSearch(const System& of, const System& laidOut, const fiacre::Pr
       limits(watch),
       goals(asked),
       open(std::move(which)),
-      size(kMostClasses) {
+      size(kMostClasses),
+      perStep(kMostPerStep) {
   std::erase_if(open, [&](std::size_t i) { return !GoalDistance::isFor(goals[i]); });
 }
 
@@ -52,17 +55,18 @@ void PlanSearch::follow(const Steps& plan, std::uint64_t& budget, Bits& decided,
   const auto before = decided.count();
   PlanProgress progress(prepared->system, plan);
   Novelty novelty(prepared->system);
-  const auto found = search(
-      prepared->system, own, prepared->reductions, prepared->extrapolation, limits,
-      [&](std::size_t i, const Evidence& evidence) {
-        const Evidence run = witness->tidied(own[i], evidence);
-        if (onDecided(left[i], &run)) decided.insert(static_cast<std::uint32_t>(left[i]));
-      },
-      {.at = {std::min(kClassesForOne * budget, size + kMostPerStep * plan.size())}, .next = {}},
-      {.novelty = &novelty, .plan = &progress});
+  const auto found =
+      search(prepared->system, own, prepared->reductions, prepared->extrapolation, limits,
+             [&](std::size_t i, const Evidence& evidence) {
+               const Evidence run = witness->tidied(own[i], evidence);
+               if (onDecided(left[i], &run)) decided.insert(static_cast<std::uint32_t>(left[i]));
+             },
+             {.at = {std::min(kClassesForOne * budget, size + perStep * plan.size())}, .next = {}},
+             {.novelty = &novelty, .plan = &progress});
   addCounts(statistics, found.statistics);
-  size = decided.count() > before ? std::min(2 * size, kMostClasses)
-                                  : std::max(size / 2, kLeastClasses);
+  const bool isUseful = decided.count() > before;
+  size = isUseful ? std::min(2 * size, kMostClasses) : std::max(size / 2, kLeastClasses);
+  perStep = isUseful ? std::min(2 * perStep, kMostPerStep) : std::max(perStep / 2, kLeastPerStep);
   spend(found.statistics.classes / kClassesForOne, budget);
 }
 

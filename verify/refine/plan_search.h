@@ -45,7 +45,10 @@ private:
   LimitWatch& limits;
   const std::vector<Goal>& goals;
   std::vector<std::size_t> open;
-  std::uint64_t size; ///< of the next search, in classes: smaller after each that decided nothing
+  // The next search has so many classes, and so many for each step; fewer after each that decided
+  // nothing.
+  std::uint64_t size;
+  std::uint64_t perStep;
   std::optional<Prepared> prepared; ///< once there is a plan
   std::optional<Witness> witness;
 };

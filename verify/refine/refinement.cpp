@@ -151,7 +151,7 @@ void Refinement::dropKnown(const PartText& text, Group& group, Asking& asking) {
 SearchResult Refinement::searchFor(const Group& group, const System& part, const Prepared& prepared,
                                    Asking& asking) {
   const auto inOrder = std::min(kMostInOrder * group.goals.size(), mostFor(group, asking));
-  auto found = searchFor(group, prepared, nullptr, inOrder, asking);
+  auto found = searchFor(group, prepared, prepared.reductions, nullptr, inOrder, asking);
   if (!found.paused || mostFor(group, asking) == 0 || group.goals.size() > 1) return found;
   if (group.precision.hasTime())
     if (auto hulls = searchHulls(group, prepared, asking)) return *hulls;
@@ -161,7 +161,8 @@ SearchResult Refinement::searchFor(const Group& group, const System& part, const
   std::optional<GoalDistance> distance;
   if (GoalDistance::isFor(goal))
     distance.emplace(part, prepared.system, goal, prepared.reductions.dropped, limits);
-  return searchFor(group, prepared, distance ? &*distance : nullptr, most, asking);
+  return searchFor(group, prepared, prepared.reductions, distance ? &*distance : nullptr, most,
+                   asking);
 }
 
 /// Searches with one zone for each state. Where dates differ by what happened before, there are
@@ -169,23 +170,18 @@ SearchResult Refinement::searchFor(const Group& group, const System& part, const
 /// \return nothing if this does not show that the goal is never reached
 std::optional<SearchResult> Refinement::searchHulls(const Group& group, const Prepared& prepared,
                                                     Asking& asking) {
+  if (!prepared.reductions.inclusion) return std::nullopt;
   Reductions reductions = prepared.reductions;
-  reductions.hull = reductions.inclusion;
-  if (!reductions.hull) return std::nullopt;
-  auto found = searchWith(reductions, group, prepared, nullptr,
-                          mostFor(group, asking) / kShareOfHulls, asking);
+  reductions.hull = true;
+  auto found = searchFor(group, prepared, reductions, nullptr,
+                         mostFor(group, asking) / kShareOfHulls, asking);
   const bool isNever = !found.failure && found.statistics.complete && !found.goals[0];
   return isNever ? std::optional(std::move(found)) : std::nullopt;
 }
 
 SearchResult Refinement::searchFor(const Group& group, const Prepared& prepared,
-                                   GoalDistance* distance, std::uint64_t most, Asking& asking) {
-  return searchWith(prepared.reductions, group, prepared, distance, most, asking);
-}
-
-SearchResult Refinement::searchWith(const Reductions& reductions, const Group& group,
-                                    const Prepared& prepared, GoalDistance* distance,
-                                    std::uint64_t most, Asking& asking) {
+                                   const Reductions& reductions, GoalDistance* distance,
+                                   std::uint64_t most, Asking& asking) {
   auto found =
       search(prepared.system, goalsOf(group, asking), reductions, prepared.extrapolation, limits,
              [](std::size_t, const Evidence&) {}, {.at = {most}, .next = {}}, {distance});
@@ -237,8 +233,7 @@ void Refinement::addWide(const Group& refined, Asking& asking) {
 /// Tries a wide slice where a narrow one was not enough, until that has failed too often.
 void Refinement::giveUp(std::size_t goal, const Group& group, Asking& asking) {
   ++asking.gainOf(group).failed;
-  if (group.isWide || !group.precision.isRefined() || asking.wide.failed > asking.wide.decided + 1)
-    return;
+  if (group.isWide || !group.precision.isRefined() || asking.wide.fails()) return;
   Group wide{group.precision.widened(alikeCells()), {goal}, true};
   if (wide.precision == group.precision) return;
   asking.left[goal] = asking.each;
@@ -253,15 +248,16 @@ const AlikeCells& Refinement::alikeCells() {
 /// Whether a run of the slice, or a search along it, decides the question.
 bool Refinement::isDecidedBy(const Steps& steps, std::size_t goal, const Group& group,
                              RefinedSlice& slice, Asking& asking) {
-  const WholeRun along = inWhole(slice, steps, kStepsForOne * asking.leftForPlans[goal]);
+  const bool isPlan = group.precision.hasTime();
+  const WholeRun along =
+      inWhole(slice, steps, isPlan ? kStepsForOne * asking.leftForPlans[goal] : 0);
   if (along.isRun) {
     const Evidence evidence{along.steps, {}};
     note(goal, &evidence, asking);
+  } else {
+    payForPlan((along.steps.size() - steps.size()) / kStepsForOne, goal, asking);
   }
-  const auto added = along.steps.size() - steps.size();
-  if (!along.isRun) payForPlan(added / kStepsForOne, goal, asking);
-  if (!isDecided(asking.decided, goal) && group.precision.hasTime())
-    follow(along.steps, goal, asking);
+  if (isPlan && !isDecided(asking.decided, goal)) follow(along.steps, goal, asking);
   return isDecided(asking.decided, goal);
 }
 

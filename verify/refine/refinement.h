@@ -77,6 +77,8 @@ private:
   struct Gain {
     std::size_t decided = 0;
     std::size_t failed = 0;
+    /// Whether more of them are not worth their time.
+    [[nodiscard]] bool fails() const { return failed > decided + 1; }
   };
   /// A call of decide().
   struct Asking {
@@ -102,12 +104,10 @@ private:
   [[nodiscard]] SearchResult searchFor(const Group& group, const System& part,
                                        const Prepared& prepared, Asking& asking);
   [[nodiscard]] SearchResult searchFor(const Group& group, const Prepared& prepared,
-                                       GoalDistance* distance, std::uint64_t most, Asking& asking);
+                                       const Reductions& reductions, GoalDistance* distance,
+                                       std::uint64_t most, Asking& asking);
   [[nodiscard]] std::optional<SearchResult> searchHulls(const Group& group,
                                                         const Prepared& prepared, Asking& asking);
-  [[nodiscard]] SearchResult searchWith(const Reductions& reductions, const Group& group,
-                                        const Prepared& prepared, GoalDistance* distance,
-                                        std::uint64_t most, Asking& asking);
   void readRuns(const Group& group, RefinedSlice& slice, const Prepared& prepared,
                 const SearchResult& found, Asking& asking);
   [[nodiscard]] bool isDecidedBy(const Steps& steps, std::size_t goal, const Group& group,
