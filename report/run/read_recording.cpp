@@ -31,6 +31,8 @@ class Lines {
 public:
   explicit Lines(const mcap::File& of) : file(of) {}
 
+  /// Where the next line begins.
+  [[nodiscard]] std::uint64_t position() const { return place - (buffer.size() - used); }
   /// The next line, without its end; nullopt after the last one. Valid until the next call.
   std::optional<std::string_view> next() {
     auto end = buffer.find('\n', used);
@@ -63,43 +65,6 @@ private:
   std::size_t searched = 0;
 };
 
-/// Reads a trace with a step in each line, as it is recorded: up to its end, or its last complete
-/// line.
-class TraceLines {
-public:
-  TraceLines(const mcap::File& of, const analysis::Program& in, runtime::RunSink& into)
-      : lines(of), reader(in), to(into) {}
-
-  /// \return false if the file has another form
-  bool read() {
-    const auto first = lines.next();
-    if (!first || !first->ends_with(kBegin)) return false;
-    const auto head = runtime::parsedText(std::string(*first) + "]}");
-    if (head.is_discarded()) return false;
-    if (!to.onHead(recordedHead(head))) return true;
-    while (const auto line = lines.next())
-      if (!takes(*line)) break;
-    return true;
-  }
-
-private:
-  /// \return whether more is wanted
-  bool takes(std::string_view line) {
-    if (line.starts_with(']')) return false;
-    if (line.ends_with(',')) line.remove_suffix(1);
-    if (line.empty()) return true;
-    if (const auto isWanted = reader.pass(line, to)) return *isWanted;
-    if (lines.next()) throw WrongRecording{"it is not JSON"};
-    return false;
-  }
-
-  static constexpr std::string_view kBegin = "\"steps\":[";
-
-  Lines lines;
-  StepReader reader;
-  runtime::RunSink& to;
-};
-
 /// Keeps a run of which more is known only after its steps.
 class Kept final : public runtime::RunSink {
 public:
@@ -116,15 +81,20 @@ public:
   runtime::RecordedRun run;
 };
 
-/// A trace in one text; nothing if it is not JSON. No more than one step is kept as JSON.
-std::optional<runtime::RecordedRun> runOfTrace(std::string_view text,
-                                               const analysis::Program& program) {
+/// A trace in one text.
+struct WholeTrace {
+  Json beside; ///< without its steps
+  runtime::RecordedRun run;
+};
+
+/// Nothing if it is not JSON. No more than one step is kept as JSON.
+std::optional<WholeTrace> wholeTrace(std::string_view text, const analysis::Program& program) {
   using Event = Json::parse_event_t;
   StepReader reader(program);
   Kept kept;
   bool isNamedSteps = false;
   bool isInSteps = false;
-  const auto trace = parsed(text, [&](int depth, Event event, Json& value) {
+  auto trace = parsed(text, [&](int depth, Event event, Json& value) {
     if (depth == 1 && event == Event::key) isNamedSteps = value == "steps";
     if (depth == 1 && event == Event::array_start) isInSteps = isNamedSteps;
     if (depth == 1 && event == Event::array_end) isInSteps = false;
@@ -136,21 +106,77 @@ std::optional<runtime::RecordedRun> runOfTrace(std::string_view text,
   const auto steps = trace.find("steps");
   if (steps == trace.end() || !steps->is_array()) throw WrongRecording{"it has no steps"};
   for (const auto& step : *steps) (void)reader.pass(step, kept); // none of them is an object
-  kept.run.head = recordedHead(trace);
-  return std::move(kept.run);
+  return WholeTrace{std::move(trace), std::move(kept.run)};
 }
 
-/// A trace in another form than that of a recording is read as a whole.
-void readTrace(const mcap::File& file, const analysis::Program& program, runtime::RunSink& to) {
+/// Reads a trace as a whole, or what follows a place in it. \param begin text before that place
+WholeTrace wholeTrace(const mcap::File& file, const analysis::Program& program,
+                      std::string_view begin = "", std::uint64_t place = 0) {
   constexpr std::uint64_t kMost = std::uint64_t{256} << 20;
-  if (file.size > kMost)
+  if (file.size - place > kMost)
     throw WrongRecording{"it is larger than 256 MiB, and does not have a step in each line"};
-  const auto text = file.read(0, file.size);
-  auto run = runOfTrace(text, program);
-  if (!run) run = runOfTrace(completed(text), program);
-  if (!run) throw WrongRecording{"it is not JSON"};
-  (void)replay(*run, to);
+  const auto text = std::string(begin) + file.read(place, file.size - place);
+  auto trace = wholeTrace(text, program);
+  if (!trace) trace = wholeTrace(completed(text), program);
+  if (!trace) throw WrongRecording{"it is not JSON"};
+  return std::move(*trace);
 }
+
+/// Reads a trace with a step in each line, as it is recorded. From the first line of another form
+/// on, such as one that was cut off, it is read as a whole.
+class TraceReader {
+public:
+  TraceReader(const mcap::File& of, const analysis::Program& in, runtime::RunSink& into)
+      : file(of), program(in), lines(of), reader(in), to(into) {}
+
+  void read() {
+    const auto first = lines.next();
+    const auto head = first && first->ends_with(kBegin)
+                          ? runtime::parsedText(std::string(*first) + "]}")
+                          : Json(Json::value_t::discarded);
+    if (head.is_discarded()) return readWhole();
+    if (to.onHead(recordedHead(head))) readSteps();
+  }
+
+private:
+  void readWhole() {
+    auto trace = wholeTrace(file, program);
+    trace.run.head = recordedHead(trace.beside);
+    (void)replay(trace.run, to);
+  }
+
+  void readSteps() {
+    auto place = lines.position();
+    while (const auto line = lines.next()) {
+      if (*line == "]}") return;
+      const auto isWanted = take(*line);
+      if (!isWanted) return readStepsFrom(place);
+      if (!*isWanted) return;
+      place = lines.position();
+    }
+  }
+
+  /// \return whether more is wanted; nothing if the line is not a step
+  std::optional<bool> take(std::string_view line) {
+    if (line.ends_with(',')) line.remove_suffix(1);
+    return line.empty() ? true : reader.pass(line, to);
+  }
+
+  void readStepsFrom(std::uint64_t place) {
+    const auto rest =
+        wholeTrace(file, program, std::string("{") + std::string(kBegin) + "\n", place);
+    if (rest.beside.size() > 1) throw WrongRecording{"its steps are not its last member"};
+    (void)replaySteps(rest.run, to);
+  }
+
+  static constexpr std::string_view kBegin = "\"steps\":[";
+
+  const mcap::File& file;
+  const analysis::Program& program;
+  Lines lines;
+  StepReader reader;
+  runtime::RunSink& to;
+};
 
 void readMcap(const mcap::File& file, const analysis::Program& program, runtime::RunSink& to) {
   const auto head = mcap::metadataOf(file, kTraceHead);
@@ -195,8 +221,8 @@ std::optional<std::string> readRecording(const mcap::File& recording,
   try {
     if (recording.isMcap())
       readMcap(recording, program, to);
-    else if (!TraceLines(recording, program, to).read())
-      readTrace(recording, program, to);
+    else
+      TraceReader(recording, program, to).read();
     return std::nullopt;
   } catch (const WrongRecording& wrong) {
     return wrong.why;

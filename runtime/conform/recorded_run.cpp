@@ -32,7 +32,10 @@ RecordedCall recorded(const Executable& executable, const Start& start, Nanoseco
 }
 
 bool replay(const RecordedRun& run, RunSink& to) {
-  if (!to.onHead(run.head)) return false;
+  return to.onHead(run.head) && replaySteps(run, to);
+}
+
+bool replaySteps(const RecordedRun& run, RunSink& to) {
   auto call = run.calls.begin();
   for (std::size_t i = 0; i <= run.steps.size(); ++i) {
     for (; call != run.calls.end() && call->after <= i; ++call)

@@ -58,6 +58,8 @@ struct RecordedRun {
 
 /// Passes on a run in memory. \return whether more was wanted
 [[nodiscard]] bool replay(const RecordedRun& run, RunSink& to);
+/// The same without its head.
+[[nodiscard]] bool replaySteps(const RecordedRun& run, RunSink& to);
 
 /// The machine's last step in this form.
 [[nodiscard]] RecordedStep recorded(const Executable& executable, const Machine& machine,

@@ -149,6 +149,24 @@ TEST_CASE("steps that say the same have dates of their own") {
         "m: m@1000000000 m@2000000000 m@4000000000");
 }
 
+TEST_CASE(
+    "a trace with steps in lines is read to its end, whatever form it has from some line on") {
+  const auto begin = std::string(kHead) + ",\"steps\":[\n";
+  const auto one = recordedStep("1");
+  const auto two = recordedStep("2");
+  const auto both = "m: m@1000000000 m@2000000000";
+  for (const auto& rest : {one + "," + two + "\n]}\n", one + ",\n" + two + "]}\n",
+                           one + "," + two + "]}", one + ",\n{\n" + two.substr(1) + "\n]\n}\n",
+                           one + ",\n" + two + ",", one + ",\n" + two + ",\n" + two.substr(0, 20),
+                           one + ",\n" + two + ",\n" + std::string(9, '\0')}) {
+    INFO(rest);
+    CHECK(readAs(begin + rest) == both);
+  }
+  CHECK(readAs(begin + one + ",\n" + two + "\n],\"main\":\"other\"}\n") ==
+        "its steps are not its last member");
+  CHECK(readAs(begin + one + ",\n{\n" + two + "\n]}\n") == "it is not JSON");
+}
+
 TEST_CASE("a recording of any length is read in small parts, up to what is wanted") {
   const auto program = test::programOfText("(defskill m :body ((^ 1)))");
   for (auto recording : {longTrace(), longMcap()}) {
