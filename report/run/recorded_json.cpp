@@ -12,6 +12,10 @@ using Json = nlohmann::json;
 
 namespace {
 
+// a damaged recording may have any number of texts and paths, of any length
+constexpr std::size_t kMostKept = 1'000;
+constexpr std::size_t kLongestKept = 4'096;
+
 std::string word(const Json& value, const char* key) {
   const auto found = value.find(key);
   return found != value.end() && found->is_string() ? found->get<std::string>() : "";
@@ -40,17 +44,28 @@ struct Dated {
   runtime::Nanoseconds date = 0;
 };
 
-/// In the form of a recording: from `"date"` to `"changes"`. Other texts may have none.
+/// End of the objects with dates that follow each other from a place on. What they have after
+/// `exact` is not read.
+std::size_t endOfDates(std::string_view step, std::size_t begin) {
+  for (const std::string_view name : {"date", "delay", "earliest", "latest"}) {
+    const auto rest = step.substr(begin);
+    const bool isNext = rest.starts_with(",\"") && rest.substr(2).starts_with(name) &&
+                        rest.substr(2 + name.size()).starts_with("\":{");
+    const auto end = isNext ? rest.find('}') : std::string_view::npos;
+    if (end != std::string_view::npos) begin += end + 1;
+  }
+  return begin;
+}
+
+/// In the form of a recording, which has all dates one after the other. Other texts may have none.
 std::optional<Dated> datedIn(std::string_view step) {
   constexpr std::string_view kBegin = ",\"date\":{\"exact\":\"";
-  constexpr std::string_view kEnd = ",\"changes\":[";
   const auto begin = step.find(kBegin);
   if (begin == std::string_view::npos) return std::nullopt;
   const auto number = step.substr(begin + kBegin.size());
-  const auto end = step.find(kEnd, begin);
   const auto date = nanosecondsOf(number.substr(0, number.find('"')));
-  if (end == std::string_view::npos || !date) return std::nullopt;
-  return Dated{.begin = begin, .end = end, .date = *date};
+  if (!date) return std::nullopt;
+  return Dated{.begin = begin, .end = endOfDates(step, begin), .date = *date};
 }
 
 /// What follows the dates, but for how late the step was, which is not read.
@@ -149,7 +164,8 @@ bool StepReader::pass(Entry& entry, runtime::RunSink& to) {
 std::optional<bool> StepReader::pass(std::string_view step, runtime::RunSink& to) {
   const auto dated = datedIn(step);
   if (dated) {
-    key.assign(step.substr(0, dated->begin)).append(withoutLag(step.substr(dated->end)));
+    key.assign(step.substr(0, dated->begin)) += '\n'; // where the dates were
+    key += withoutLag(step.substr(dated->end));
     if (const auto known = entries.find(key); known != entries.end()) {
       setDate(known->second, dated->date);
       return pass(known->second, to);
@@ -165,8 +181,8 @@ std::optional<bool> StepReader::pass(std::string_view step, runtime::RunSink& to
 }
 
 void StepReader::keep(const Entry& entry) {
-  constexpr std::size_t kMost = 1'000;
-  if (entries.size() == kMost) entries.clear();
+  if (key.size() > kLongestKept) return;
+  if (entries.size() == kMostKept) entries.clear();
   entries.emplace(key, entry);
 }
 
@@ -208,9 +224,9 @@ void StepReader::locate(const Json& step, fiacre::Origin& what) {
 }
 
 std::optional<std::uint32_t> StepReader::fileNamed(const std::string& path) {
-  constexpr std::size_t kMost = 1'000; // a damaged recording may have any number
+  if (path.size() > kLongestKept) return bestFile(path, program);
   if (const auto known = files.find(path); known != files.end()) return known->second;
-  if (files.size() == kMost) files.clear();
+  if (files.size() == kMostKept) files.clear();
   return files[path] = bestFile(path, program);
 }
 

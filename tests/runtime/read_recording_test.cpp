@@ -167,6 +167,24 @@ TEST_CASE(
   CHECK(readAs(begin + one + ",\n{\n" + two + "\n]}\n") == "it is not JSON");
 }
 
+TEST_CASE("steps that differ between their dates and their changes are different steps") {
+  const auto step = [](const std::string& actor, const std::string& date) {
+    return R"({"kind":"step","date":{"exact":")" + date + R"("},"actor":")" + actor +
+           "\",\"changes\":[]},\n";
+  };
+  CHECK(readAs(std::string(kHead) + ",\"steps\":[\n" + step("m", "1") + step("n", "2") + "]}\n") ==
+        "m: m@1000000000 n@2000000000");
+}
+
+TEST_CASE("a step with its dates in another place is read as such") {
+  const std::string dates = R"(,"date":{"exact":"1"})";
+  const auto with = [](const std::string& inner, const std::string& outer) {
+    return R"({"actor":"m","x":{"y":0)" + inner + "}" + outer + "},\n";
+  };
+  CHECK(readAs(std::string(kHead) + ",\"steps\":[\n" + with("", dates) + with(dates, "") +
+               "]}\n") == "a step has no date in whole nanoseconds");
+}
+
 TEST_CASE("a recording of any length is read in small parts, up to what is wanted") {
   const auto program = test::programOfText("(defskill m :body ((^ 1)))");
   for (auto recording : {longTrace(), longMcap()}) {
