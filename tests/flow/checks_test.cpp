@@ -160,6 +160,10 @@ TEST_CASE("A natural that each branch counts up once stays in its range") {
   CHECK(
       codes(program("2", "(set (n 0)) (while true (// ((^ 1) (set (n (+ n 1)))) ((t))) (^ 1))")) ==
       "PS0610PS0505"); // and the loop never ends
+  // The branches count further than any natural.
+  CHECK(codes(program("3", "(set (n 0)) (// ((s) (set (n (+ n 9223372036854775807)))) "
+                           "((t) (set (n (+ n 9223372036854775807)))))")) ==
+        "PS0708PS0504PS0504"); // and nobody looks whether `s` fails
   // A branch counts in a loop.
   CHECK(codes(program("9", "(set (n 0)) (// ((while true (^ 1) (set (n (+ n 1))))) ((t)))")) ==
         "PS0610PS0505");

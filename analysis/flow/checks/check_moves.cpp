@@ -36,7 +36,7 @@ struct Assigned {
 
 class Moves {
 public:
-  explicit Moves(Report& report) : report(report), origins(report) {}
+  explicit Moves(Report& report) : report(report), origins(report), counters(report.system()) {}
 
   void check() {
     forEachReachedNode(report, [this](ProcessId id, const Process& process, NodeId node,
@@ -214,8 +214,8 @@ private:
   }
 
   /// Whether the natural counts something whose number is within its range.
-  [[nodiscard]] bool staysBelow(VariableId variable) const {
-    const auto most = mostCounted(report.system(), variable);
+  [[nodiscard]] bool staysBelow(VariableId variable) {
+    const auto most = counters.most(variable);
     return most && *most <= report.variables()[variable].domain.max();
   }
 
@@ -240,6 +240,7 @@ private:
 
   Report& report;
   Origins origins;
+  Counters counters;
   std::map<std::pair<const void*, VariableId>, Assigned> found;
   std::map<VariableId, ValueSet> explained; ///< values whose forbidden moves were reported
   std::set<VariableId> entailed;            ///< variables with forbidden moves that are

@@ -8,38 +8,29 @@ namespace proskill::analysis::flow {
 
 namespace {
 
+/// The sum of numbers; nullopt: it is too large, or a number is not known.
+std::optional<std::int64_t> sumOf(std::optional<std::int64_t> a, std::optional<std::int64_t> b) {
+  std::int64_t sum = 0;
+  if (!a || !b || __builtin_add_overflow(*a, *b, &sum)) return std::nullopt;
+  return sum;
+}
+
+/// What the branches of one fork count.
 class Counter {
 public:
-  Counter(const System& system, VariableId variable) : system(system), variable(variable) {}
+  Counter(const System& system, VariableId variable, const std::vector<ProcessId>& counting)
+      : system(system), variable(variable), counting(counting) {}
 
-  std::optional<std::int64_t> most() {
-    if (!collect() || counting.empty()) return std::nullopt;
+  std::optional<std::int64_t> most() const {
     for (const Site& fork : forksAround(counting.front())) {
       if (!isAround(fork) || !startsAnew(fork)) continue;
       const auto counted = mostIn(system[fork.caller].actions[fork.node].branches);
-      if (counted) return start + *counted;
+      if (counted) return counted;
     }
     return std::nullopt;
   }
 
 private:
-  /// Finds who counts, and the greatest number to which the natural is set.
-  /// \return whether it is changed in no other way
-  bool collect() {
-    for (ProcessId id = 0; id < system.size(); ++id)
-      for (const Action& action : system[id].actions)
-        for (const Assignment& each : action.assignments) {
-          if (each.variable != variable) continue;
-          if (const auto step = stepOf(each); step && *step >= 0)
-            counting.push_back(id);
-          else if (each.value.kind == Term::Kind::Number)
-            start = std::max(start, each.value.number);
-          else
-            return false;
-        }
-    return true;
-  }
-
   /// The forks that start a branch, directly or indirectly; the innermost first.
   [[nodiscard]] std::vector<Site> forksAround(ProcessId branch) const {
     std::vector<Site> forks;
@@ -86,12 +77,8 @@ private:
   }
 
   [[nodiscard]] std::optional<std::int64_t> mostIn(const std::vector<ProcessId>& branches) const {
-    std::int64_t sum = 0;
-    for (const ProcessId branch : branches) {
-      const auto counted = mostIn(branch);
-      if (!counted) return std::nullopt;
-      sum += *counted;
-    }
+    std::optional<std::int64_t> sum = 0;
+    for (const ProcessId branch : branches) sum = sumOf(sum, mostIn(branch));
     return sum;
   }
 
@@ -99,9 +86,11 @@ private:
   [[nodiscard]] std::optional<std::int64_t> mostIn(ProcessId branch) const {
     const Graph& graph = *system[branch].graph;
     std::vector<std::int64_t> steps(graph.nodes.size());
+    std::optional<std::int64_t> all = 0; // no path has more
     for (NodeId node = 0; node < steps.size(); ++node) {
       const auto counted = mostAt(system[branch].actions[node]);
-      if (!counted) return std::nullopt;
+      all = sumOf(all, counted);
+      if (!all) return std::nullopt;
       steps[node] = *counted;
     }
     for (const auto& loop : loopsOf(graph, [](NodeId) { return true; }))
@@ -113,7 +102,7 @@ private:
   [[nodiscard]] std::optional<std::int64_t> mostAt(const Action& action) const {
     auto sum = mostIn(action.branches);
     for (const Assignment& each : action.assignments)
-      if (sum && each.variable == variable) *sum += stepOf(each).value_or(0);
+      if (each.variable == variable) sum = sumOf(sum, stepOf(each).value_or(0));
     return sum;
   }
 
@@ -134,14 +123,34 @@ private:
 
   const System& system;
   VariableId variable;
-  std::vector<ProcessId> counting;
-  std::int64_t start = 0;
+  const std::vector<ProcessId>& counting;
 };
 
 } // namespace
 
-std::optional<std::int64_t> mostCounted(const System& system, VariableId variable) {
-  return Counter(system, variable).most();
+Counters::Counters(const System& system) : system(system) {
+  for (ProcessId process = 0; process < system.size(); ++process)
+    for (const Action& action : system[process].actions)
+      for (const Assignment& each : action.assignments) collect(process, each);
+}
+
+void Counters::collect(ProcessId process, const Assignment& assignment) {
+  auto& [counting, start, isOnlyCounted, most] = changes[assignment.variable];
+  const auto step = stepOf(assignment);
+  if (step && *step >= 0) {
+    if (counting.empty() || counting.back() != process) counting.push_back(process);
+  } else if (assignment.value.kind == Term::Kind::Number) {
+    start = std::max(start, assignment.value.number);
+  } else {
+    isOnlyCounted = false;
+  }
+}
+
+std::optional<std::int64_t> Counters::most(VariableId variable) {
+  auto& [counting, start, isOnlyCounted, most] = changes[variable];
+  if (!isOnlyCounted || counting.empty()) return std::nullopt;
+  if (!most) most = sumOf(start, Counter(system, variable, counting).most());
+  return *most;
 }
 
 } // namespace proskill::analysis::flow
