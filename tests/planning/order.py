@@ -305,6 +305,10 @@ class Loops(unittest.TestCase):
             self.assertRaisesRegex(Impossible, "no order", loop.Loop(settings(path, "(cup Full)")).run)
         self.assertEqual(asked, [])
 
+    def test_a_variable_with_the_name_of_the_property(self):
+        """Its own verdicts say nothing about the goal."""
+        self.assertIs(reached("(defsv plan_goal :states (A B) :init A)\n" + LID, "(cup Full)"), True)
+
     def test_any_order_has_all_values_and_events(self):
         text = """(defsv place :states (Dock Bed Well) :init Dock)
 (defsv light :states (Off On) :init Off)

@@ -85,8 +85,9 @@ def can_reach(domain: Domain, settings, seconds: float) -> Tuple[Optional[bool],
                    "--memory-limit", str(settings.megabytes), path]
         done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
     try:
-        row = json.loads(done.stdout)["properties"][0]
-    except (ValueError, KeyError, IndexError):
+        rows = json.loads(done.stdout)["properties"]
+        row = next(each for each in rows if each["kind"] == "property")  # others are of a variable with its name
+    except (ValueError, KeyError, StopIteration):
         return None, (done.stderr.strip().splitlines() or ["no answer"])[0]
     if row["verdict"] == "inconclusive":
         return None, str(row.get("reason", ""))
