@@ -342,6 +342,14 @@ class Loops(unittest.TestCase):
             with unittest.mock.patch.object(loop, "can_reach", lambda *_: (None, "1 s passed")):
                 self.assertRaisesRegex(Undecided, "verifier: undecided: 1 s passed",
                                        loop.Loop(settings(SURVEY, "(area Photographed)")).run)
+            for status in ("unknown", "unsolvable"):  # the rest of the time may give a proof
+                answer.status = status
+                said = iter([(None, "5 s passed"), (False, "")])
+                with unittest.mock.patch.object(loop, "can_reach", lambda *_, said=said: next(said)):
+                    self.assertRaises(Impossible, loop.Loop(settings(SURVEY, "(area Photographed)")).run)
+            said = iter([(True, "")])  # what is known is not asked again
+            with unittest.mock.patch.object(loop, "can_reach", lambda *_: next(said)):
+                self.assertRaises(Undecided, loop.Loop(settings(SURVEY, "(area Photographed)")).run)
 
 
 def settings(path, goal):

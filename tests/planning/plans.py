@@ -119,7 +119,7 @@ class Plans(unittest.TestCase):
             text = SURVEY.read_text(encoding="utf-8").replace("(area Photographed)", "(area Unknown)")
             done = plan(GOAL, changed(text, folder))
             self.assertEqual(done.returncode, 1)
-            self.assertIn("error: the goal is impossible: no order of skills and events reaches it", done.stderr)
+            self.assertIn("error: the goal is impossible: no order of basic skills and events reaches it", done.stderr)
             self.assertEqual(done.stdout, "")
 
     def test_what_no_order_repairs(self):

@@ -86,7 +86,13 @@ class Loop:
             return f"undecided: {reason}"
         if possible:
             return "there may be one: an order of skills, some of which may fail, reaches the goal"
-        raise Impossible("the goal is impossible: no order of skills and events reaches it, says the verifier")
+        raise Impossible("the goal is impossible: no order of basic skills and events reaches it, says the verifier")
+
+    def asked_again(self) -> str:
+        """What the verifier says about the goal within the whole limit of time."""
+        if self.verifier.startswith("undecided"):
+            self.verifier = self.refuse_impossible(self.settings.seconds)
+        return self.verifier
 
     def plan(self) -> Tuple[List[Planned], str]:
         domain = self.domain.with_constraints(self.constraints)
@@ -98,9 +104,9 @@ class Loop:
                 return answer.plan, planner
             if answer.status == "unsolvable":
                 because = f" under {len(self.constraints)} constraints" if self.constraints else ""
-                raise Undecided(f"no plan reaches the goal{because}, says {planner}\n  verifier: {self.verifier}")
+                raise Undecided(f"no plan reaches the goal{because}, says {planner}\n  verifier: {self.asked_again()}")
             problems.append(f"{planner}: {answer.words}")
-        problems.append(f"verifier: {self.refuse_impossible(self.settings.seconds)}")
+        problems.append(f"verifier: {self.asked_again()}")
         raise Undecided("no planner has found a plan\n  " + "\n  ".join(problems))
 
     def without_useless(self, plan: List[Planned]) -> List[Planned]:
