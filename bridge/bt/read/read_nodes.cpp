@@ -110,12 +110,11 @@ void NodeReader::attributes(const Element& element, Node& node) {
 
 /// BehaviorTree.CPP ignores such attributes. Editors of trees use some; others are typing errors.
 void NodeReader::withoutEffect(const Element& element, const std::string& key) {
-  auto message = fmt::format("`{}` is not an attribute of BehaviorTree.CPP", key);
+  const auto message = fmt::format("`{}` is not an attribute of BehaviorTree.CPP", key);
   if (const auto meant = syntax::nearest(key, kScripts); !meant.empty())
     return fail(element, fmt::format("{}; did you mean `{}`?", message, meant));
-  message += ", and has no effect";
-  if (std::ranges::find(forest.notes, message, &Note::message) == forest.notes.end())
-    forest.notes.push_back({element.place, std::move(message)});
+  if (forest.ignored.insert(key).second)
+    forest.notes.push_back({element.place, message + ", and has no effect"});
 }
 
 void NodeReader::classify(const Element& element, Node& node) {

@@ -5,6 +5,7 @@
 #include <expected>
 #include <map>
 #include <optional>
+#include <set>
 #include <string_view>
 
 namespace proskill::bridge::bt {
@@ -102,6 +103,7 @@ struct Forest {
   /// By TreeNodesModel: the ports of types that have some.
   std::map<std::string, std::map<std::string, PortModel, std::less<>>> ports;
   std::vector<Note> notes;             ///< about what may be an error
+  std::set<std::string> ignored;       ///< attributes without effect, each in one note
   bool hasFormat = true;               ///< each file says that it is of version 4
   std::vector<std::string> undeclared; ///< types of leaves that were taken as actions
   std::vector<std::string> own;        ///< types of control nodes and decorators of its author
