@@ -16,16 +16,16 @@ class Reader {
 public:
   /// \param encoding null: as the document says
   /// \param added bytes that are not in the file
-  Reader(const std::filesystem::path& file, const char* encoding,
-         std::vector<std::size_t> added = {})
-      : parser(XML_ParserCreate(encoding), XML_ParserFree), file(file), added(std::move(added)) {
+  Reader(std::string_view text, const std::filesystem::path& file, const char* encoding,
+         const std::vector<std::size_t>& added)
+      : parser(XML_ParserCreate(encoding), XML_ParserFree), text(text), file(file), added(added) {
     XML_SetUserData(parser.get(), this);
     XML_SetElementHandler(parser.get(), &Reader::onStart, &Reader::onEnd);
     XML_SetCharacterDataHandler(parser.get(), &Reader::onText);
     XML_SetStartDoctypeDeclHandler(parser.get(), &Reader::onDoctype);
   }
 
-  std::expected<Element, Error> read(std::string_view text) {
+  std::expected<Element, Error> read() {
     const auto status =
         XML_Parse(parser.get(), text.data(), static_cast<int>(text.size()), XML_TRUE);
     if (error) return std::unexpected(*error);
@@ -47,7 +47,7 @@ private:
   }
   static void onEnd(void* reader, const char* /*name*/) { of(reader).end(); }
   static void onText(void* reader, const char* text, int size) {
-    of(reader).text({text, static_cast<std::size_t>(size)});
+    of(reader).addText({text, static_cast<std::size_t>(size)});
   }
   static void onDoctype(void* reader, const char*, const char*, const char*, int) {
     of(reader).fail("a document type is not allowed here");
@@ -69,7 +69,7 @@ private:
     (open.empty() ? root : open.back()).children.push_back(std::move(element));
   }
 
-  void text(std::string_view bytes) {
+  void addText(std::string_view bytes) {
     if (open.empty() || bytes.find_first_not_of(" \t\r\n") == std::string_view::npos) return;
     if (!open.back().text) open.back().text = here();
   }
@@ -82,10 +82,16 @@ private:
   Place here() {
     const auto column = static_cast<std::size_t>(XML_GetCurrentColumnNumber(parser.get()));
     const auto byte = static_cast<std::size_t>(XML_GetCurrentByteIndex(parser.get()));
-    const auto begin = std::ranges::lower_bound(added, byte - std::min(byte, column));
-    const auto before = std::ranges::lower_bound(added, byte) - begin;
-    return {file, XML_GetCurrentLineNumber(parser.get()),
-            column + 1 - static_cast<std::size_t>(before)};
+    return {file, XML_GetCurrentLineNumber(parser.get()), column + 1 - addedBefore(byte)};
+  }
+
+  /// How many bytes were added to a line before this byte. Expat goes through the text in order.
+  std::size_t addedBefore(std::size_t byte) {
+    if (added.empty()) return 0;
+    for (; seen < std::min(byte, text.size()); ++seen)
+      if (text[seen] == '\n' || text[seen] == '\r') lineBegin = seen + 1;
+    const auto first = std::ranges::lower_bound(added, std::min(lineBegin, byte));
+    return static_cast<std::size_t>(std::ranges::lower_bound(added, byte) - first);
   }
 
   std::string reason() {
@@ -93,8 +99,11 @@ private:
   }
 
   std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser;
+  std::string_view text;
   const std::filesystem::path& file;
-  std::vector<std::size_t> added;
+  const std::vector<std::size_t>& added;
+  std::size_t seen = 0;      ///< bytes of the text
+  std::size_t lineBegin = 0; ///< of the line that they end with
   Element root;
   std::vector<Element> open;
   std::optional<Error> error;
@@ -111,12 +120,12 @@ const std::string* Element::attribute(std::string_view called) const {
 
 namespace {
 
-std::expected<Element, Error> readAsNamed(std::string_view text,
-                                          const std::filesystem::path& file) {
-  Reader asNamed(file, nullptr);
-  auto root = asNamed.read(text);
+std::expected<Element, Error> readAsNamed(std::string_view text, const std::filesystem::path& file,
+                                          const std::vector<std::size_t>& added) {
+  Reader asNamed(text, file, nullptr, added);
+  auto root = asNamed.read();
   if (root || !asNamed.isMisnamed()) return root;
-  auto inUtf8 = Reader(file, "UTF-8").read(text);
+  auto inUtf8 = Reader(text, file, "UTF-8", added).read();
   return inUtf8 ? std::move(inUtf8) : std::move(root);
 }
 
@@ -125,11 +134,12 @@ std::expected<Element, Error> readAsNamed(std::string_view text,
 std::expected<Document, Error> readXml(std::string_view text, const std::filesystem::path& file) {
   if (text.size() > kLargestXml)
     return std::unexpected(Error{{file}, "the file is larger than 16 MiB"});
-  auto root = readAsNamed(text, file);
+  auto root = readAsNamed(text, file, {});
   if (root) return Document{std::move(*root), true};
+  if (text.contains('\0')) return std::unexpected(root.error()); // in UTF-16, `&` has two bytes
   const auto repaired = repairXml(text);
   if (repaired.text == text) return std::unexpected(root.error());
-  auto again = Reader(file, "UTF-8", repaired.added).read(repaired.text);
+  auto again = readAsNamed(repaired.text, file, repaired.added);
   if (!again) return std::unexpected(again.error());
   return Document{std::move(*again), false};
 }

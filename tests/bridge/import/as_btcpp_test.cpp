@@ -68,6 +68,24 @@ TEST_CASE("what is not well-formed is read as BehaviorTree.CPP reads it") {
         "main.xml:3:1: not well-formed XML: unclosed token\n");
 }
 
+TEST_CASE("what is not well-formed keeps its encoding and its columns") {
+  const auto tree = [](const std::string& encoding, const std::string& name) {
+    return "<?xml version=\"1.0\" encoding=\"" + encoding + "\"?>\n" +
+           treeOf("<Sequence><A p=\"a && b" + name + "\"/><B/></Sequence>");
+  };
+  for (const auto& text : {tree("ISO-8859-1", "\xE9"), tree("utf8", "\xC3\xA9")}) {
+    CAPTURE(text);
+    CHECK(contains(textOf(text), "(A \"a && b\xC3\xA9\")"));
+  }
+  std::string many;
+  for (int i = 0; i < 40; ++i) many += "\xC3\xA9";
+  CHECK(contains(textOf(tree("UTF-8", many)), "; from main.xml:4:66 B"));
+  // In UTF-16, the bytes of `&` are two.
+  std::string wide = "\xFF\xFE";
+  for (const char c : tree("UTF-16", "")) wide += std::string{c, '\0'};
+  CHECK(contains(errorsIn(wide), "main.xml:4:20: not well-formed XML"));
+}
+
 TEST_CASE("attributes that only editors know are named, once") {
   const auto imported = importTree(
       MemoryFiles({{"main.xml", treeOf("<Sequence>\n<A _collapsed=\"1\"/>\n<B _collapsed=\"0\"/>"
