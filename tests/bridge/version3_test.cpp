@@ -1,6 +1,4 @@
-#include "bridge/bt/import.h"
-#include "tests/bridge/errors_text.h"
-#include "tests/support/memory_files.h"
+#include "tests/bridge/import/trees.h"
 
 #include <catch2/catch.hpp>
 
@@ -8,6 +6,7 @@ using namespace proskill;
 using namespace proskill::test;
 using bridge::Leaves;
 using bridge::bt::importTree;
+using test::trees::contains;
 
 namespace {
 
@@ -19,17 +18,10 @@ std::string oldTree(const std::string& node, const std::string& after = "") {
 
 /// Without comments, which name places and types.
 std::string textOf(const std::string& xml) {
-  const auto imported = importTree(MemoryFiles({{"main.xml", xml}}), "main.xml", Leaves(), {});
-  INFO(errorsText(imported));
-  REQUIRE(imported);
-  auto text = imported->text;
+  auto text = trees::textOf(xml);
   for (auto at = text.find(';'); at != std::string::npos; at = text.find(';', at))
     text.erase(at, text.find('\n', at) - at);
   return text;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 } // namespace

@@ -73,7 +73,7 @@ std::optional<Otherwise> otherwiseOf(const Node& node) {
 
 std::optional<bool> thenSkips(const Node& runOnce) {
   const auto value = runOnce.port("then_skip", "true");
-  if (value == "true" || value == "True" || value == "TRUE" || value == "1") return true;
+  if (isTrue(value)) return true;
   if (value == "false" || value == "False" || value == "FALSE" || value == "0") return false;
   return std::nullopt;
 }

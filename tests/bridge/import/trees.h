@@ -29,6 +29,7 @@ inline std::string errorsIn(const std::string& xml) { return errorsIn({{"main.xm
 inline std::string textOf(const std::string& xml, const std::string& leaves = "{}") {
   const auto imported = bridge::bt::importTree(MemoryFiles({{"main.xml", xml}}), "main.xml",
                                                *bridge::Leaves::read(leaves), {});
+  INFO(errorsText(imported));
   REQUIRE(imported);
   return imported->text;
 }
