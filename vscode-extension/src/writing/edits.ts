@@ -2,11 +2,14 @@ import type * as vscode from 'vscode';
 import type { panel } from '../protocol';
 import type { TextVersion } from '../protocol';
 
-interface Edit {
-  version: number;
+interface Replacement {
   range: panel.Range;
   /** end of the inserted text */
   end: panel.Position;
+}
+
+interface Edit extends Replacement {
+  version: number;
 }
 
 const isBefore = (a: panel.Position, b: panel.Position): boolean => a.line < b.line || (a.line === b.line && a.character < b.character);
@@ -18,29 +21,37 @@ const endOf = ({ line, character }: panel.Position, text: string): panel.Positio
 };
 
 /** A position before an edit; inserted text maps to its beginning. */
-function before(place: panel.Position, { range: { start, end }, end: now }: Edit): panel.Position {
+function before(place: panel.Position, { range: { start, end }, end: now }: Replacement): panel.Position {
   if (isBefore(place, start)) return place;
   if (isBefore(place, now)) return start;
   return { line: place.line - now.line + end.line, character: place.line === now.line ? place.character - now.character + end.character : place.character };
 }
 
 /** A position after an edit; replaced text maps to the end of what replaces it. */
-function after(place: panel.Position, { range: { start, end }, end: now }: Edit): panel.Position {
+function after(place: panel.Position, { range: { start, end }, end: now }: Replacement): panel.Position {
   if (isBefore(place, start)) return place;
   if (isBefore(place, end)) return now;
   return { line: place.line - end.line + now.line, character: place.line === end.line ? place.character - end.character + now.character : place.character };
+}
+
+/** Changes of one event all refer to the text before it; applied from the end backwards, they do not move each other. */
+export const backwards = (changes: readonly vscode.TextDocumentContentChangeEvent[]): vscode.TextDocumentContentChangeEvent[] =>
+  [...changes].sort((a, b) => b.rangeOffset - a.rangeOffset);
+
+/** Where a position is after a change; nothing if its surroundings were replaced. What is inserted at the position comes after it. */
+export function moved(place: panel.Position, { range, text }: vscode.TextDocumentContentChangeEvent): panel.Position | undefined {
+  if (!isBefore(range.start, place)) return place;
+  return isBefore(place, range.end) ? undefined : after(place, { range, end: endOf(range.start, text) });
 }
 
 /** Edits since something was computed, such as a picture: maps positions in the current text to those in its text, and back. */
 export class Edits {
   private readonly known = new Map<string, Edit[]>();
 
-  /** Changes of one event all refer to the text before it; applied from the end backwards, they do not move each other. */
   note({ document, contentChanges }: vscode.TextDocumentChangeEvent): void {
     const uri = document.uri.toString();
-    const changes = [...contentChanges].sort((a, b) => b.rangeOffset - a.rangeOffset);
     const list = this.known.get(uri) ?? [];
-    for (const { range, text } of changes) list.push({ version: document.version, range, end: endOf(range.start, text) });
+    for (const { range, text } of backwards(contentChanges)) list.push({ version: document.version, range, end: endOf(range.start, text) });
     this.known.set(uri, list);
   }
 

@@ -1,7 +1,7 @@
 import * as vscode from 'vscode';
 import { DocumentOnTypeFormattingRequest, type LanguageClient, type Middleware, type TextEdit } from 'vscode-languageclient/node';
 import * as protocol from '../protocol';
-import { moved } from './moved';
+import { backwards, moved } from './edits';
 
 /** Milliseconds until edits that VS Code has not made count as dropped. */
 const kMostToWait = 1000;
@@ -77,7 +77,7 @@ export class TypedLines implements vscode.Disposable {
     const text = this.texts.get(document);
     if (!text || !contentChanges.length) return;
     if (reason !== undefined) text.places = []; // undone, or done again
-    for (const change of [...contentChanges].sort((a, b) => b.rangeOffset - a.rangeOffset)) {
+    for (const change of backwards(contentChanges)) {
       text.changed = Math.min(text.changed, change.range.start.line);
       text.places = text.places.filter((place) => {
         const now = moved(place.at, change);
