@@ -27,13 +27,17 @@ interface Text {
 /**
  * VS Code drops the answer to on-type formatting if the text changes before it arrives, so what is typed faster than the server answers would stay as it is.
  * Therefore a line that was typed is formatted once the caret has left it, and a definition once it is complete: never the line of the caret, and nothing that
- * was pasted or undone.
+ * was pasted, undone, or saved by the user.
  */
 export class TypedLines implements vscode.Disposable {
   private readonly texts = new Map<vscode.TextDocument, Text>();
   private readonly subscriptions = [
     vscode.workspace.onDidChangeTextDocument((event) => this.change(event)),
-    vscode.workspace.onDidCloseTextDocument((document) => this.texts.delete(document)),
+    vscode.workspace.onDidCloseTextDocument((document) => {
+      this.forget(document);
+      this.texts.delete(document);
+    }),
+    vscode.workspace.onWillSaveTextDocument(({ document, reason }) => reason === vscode.TextDocumentSaveReason.Manual && this.forget(document)),
     vscode.window.onDidChangeTextEditorSelection(({ textEditor }) => void this.format(textEditor.document)),
   ];
 
@@ -41,13 +45,15 @@ export class TypedLines implements vscode.Disposable {
 
   readonly middleware: NonNullable<Middleware['provideOnTypeFormattingEdits']> = async (document, position, ch, options, token, next) => {
     if (document.languageId !== 'proskill') return next(document, position, ch, options, token);
-    const text = this.note(document, position, ch);
+    const text = this.textOf(document);
+    const places = placesOf(position, ch);
+    for (const place of places) text.places = text.places.filter((other) => !isSame(other, place)).concat(place);
     ++text.requests;
     let edits: vscode.TextEdit[] | null | undefined;
     try {
       return (edits = await next(document, position, ch, options, token));
     } finally {
-      void this.answered(document, text, !token.isCancellationRequested && !!edits?.length);
+      void this.answered(document, text, places[0], token.isCancellationRequested ? undefined : edits);
     }
   };
 
@@ -55,22 +61,23 @@ export class TypedLines implements vscode.Disposable {
     vscode.Disposable.from(...this.subscriptions).dispose();
   }
 
-  /** VS Code makes the edits of an answer a moment later. */
-  private async answered(document: vscode.TextDocument, text: Text, hasEdits: boolean): Promise<void> {
-    if (hasEdits) await nextChange(document);
+  /** VS Code makes the edits of an answer a moment later. An answer without edits says that the place is formatted. */
+  private async answered(document: vscode.TextDocument, text: Text, asked: Place, edits: vscode.TextEdit[] | null | undefined): Promise<void> {
+    if (edits?.length) await nextChange(document);
+    else if (edits) text.places = text.places.filter((place) => place !== asked);
     --text.requests;
     void this.format(document);
   }
 
-  private note(document: vscode.TextDocument, position: vscode.Position, ch: string): Text {
+  private textOf(document: vscode.TextDocument): Text {
     const text = this.texts.get(document) ?? { places: [], requests: 0, isBusy: false, isDue: false, changed: 0 };
     this.texts.set(document, text);
-    const places = ch === '\n'
-      ? [position.line - 1, position.line].map((line) => ({ at: { line, character: 0 }, isLine: true }))
-      : [{ at: position, isLine: false }];
-    for (const place of places)
-      text.places = text.places.filter(({ at, isLine }) => isLine !== place.isLine || at.line !== place.at.line).concat(place);
     return text;
+  }
+
+  private forget(document: vscode.TextDocument): void {
+    const text = this.texts.get(document);
+    if (text) text.places = [];
   }
 
   private change({ document, contentChanges, reason }: vscode.TextDocumentChangeEvent): void {
@@ -105,24 +112,42 @@ export class TypedLines implements vscode.Disposable {
     const client = this.client();
     const left = this.left(document, text);
     if (!client || !left.length) return;
+    if (!isOn(document)) return this.forget(document);
     const parenthesis = left.find(({ isLine }) => !isLine);
     const places = parenthesis ? [parenthesis] : left;
     text.changed = Infinity;
     const edits = await (parenthesis ? definition(client, document, parenthesis) : lines(client, document, left));
-    if (text.changed <= Math.max(...places.map(({ at }) => at.line))) return;
+    if (!isStillLeft(document, text, places)) return; // something has happened, after which they are requested again
     if (!(await apply(document, edits))) return; // the text has changed, of which the extension is about to hear
     text.places = text.places.filter((place) => !places.includes(place));
     text.isDue = true;
   }
 
-  /** What the caret has left. Empty lines stay as they are. */
+  /** What the caret has left; nothing of a text that is not in view. Empty lines stay as they are. */
   private left(document: vscode.TextDocument, text: Text): Place[] {
+    if (!editorsOf(document).length) return [];
     const carets = caretLines(document);
     const left = text.places.filter(({ at }) => !carets.has(at.line));
     const empty = left.filter(({ at }) => document.lineAt(at.line).isEmptyOrWhitespace);
     text.places = text.places.filter((place) => !empty.includes(place));
     return left.filter((place) => !empty.includes(place));
   }
+}
+
+/** The places of what was typed; the first is the one that the server is asked about. */
+const placesOf = ({ line, character }: vscode.Position, ch: string): [Place, ...Place[]] =>
+  ch === '\n'
+    ? [{ at: { line: line - 1, character: 0 }, isLine: true }, { at: { line, character: 0 }, isLine: true }]
+    : [{ at: { line, character }, isLine: false }];
+
+const isSame = (a: Place, b: Place): boolean => a.isLine === b.isLine && a.at.line === b.at.line;
+
+const isOn = (document: vscode.TextDocument): boolean => vscode.workspace.getConfiguration('editor', document).get('formatOnType', false);
+
+/** Whether edits for these places may be made: nothing above has changed since they were requested, and neither carets nor an undo have come. */
+function isStillLeft(document: vscode.TextDocument, text: Text, places: Place[]): boolean {
+  const carets = caretLines(document);
+  return places.every((place) => place.at.line < text.changed && text.places.includes(place) && !carets.has(place.at.line));
 }
 
 function nextChange(document: vscode.TextDocument): Promise<void> {
