@@ -83,12 +83,11 @@ private:
     if (!definition || &definition->node() != &skill) return;
     const auto id =
         flow->system().ofSkill(static_cast<std::size_t>(definition - skills.all.data()));
-    if (!flow->solver().started(id)) return;
+    if (!flow->solver().started(id) || addMeasured(skill)) return;
     if (!durations) durations.emplace(flow->solver());
     const auto taken = durations->of(id);
     if (taken && !taken->most && taken->least == syntax::Rational{})
       return; // any duration: not worth a hint
-    if (addMeasured(skill)) return;
     const auto text = taken ? flow::words(*taken) : std::string("never ends");
     add({HintKind::Duration, skill.name.range.end, text,
          "From the start of the skill to its end, in runs that nobody stops; computed from its "
@@ -96,11 +95,12 @@ private:
          std::nullopt});
   }
 
+  /// Adds the duration that lenses show. \return whether there is no need of another
   bool addMeasured(const syntax::Skill& skill) {
     const auto* known = measured ? durationOf(*measured, skill.name.text) : nullptr;
-    auto text = known ? durationText(*known) : std::string();
-    if (text.empty()) return false;
-    add({HintKind::Duration, skill.name.range.end, std::move(text),
+    if (!known) return false;
+    if (isAnyTime(*known)) return known->shortest && known->longest;
+    add({HintKind::Duration, skill.name.range.end, durationText(*known),
          durationSentence(*known, mayTimeStop(*measured)), std::nullopt});
     return true;
   }

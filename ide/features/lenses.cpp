@@ -171,8 +171,9 @@ private:
     lens.title = summary.words();
     if (isStale)
       lens.title += " (outdated)";
-    else if (const auto* duration = durationOf(*verdicts, of.front()->subject))
-      if (const auto text = durationText(*duration); !text.empty()) lens.title += " · " + text;
+    else if (const auto* duration = durationOf(*verdicts, of.front()->subject);
+             duration && !isAnyTime(*duration))
+      lens.title += " · " + durationText(*duration);
     if (summary.worst && summary.worst->steps) lens.property = summary.worst->name;
     result.push_back(std::move(lens));
   }

@@ -100,6 +100,13 @@ std::vector<SkillDuration> measureDurations(const DurationQuestions& asked,
   return all;
 }
 
+bool isAnyTime(const SkillDuration& duration) {
+  if (neverRuns(duration) || neverEnds(duration)) return false;
+  const auto& [_, shortest, longest] = duration;
+  const bool fromZero = !shortest || shortest->value == Moment{};
+  return fromZero && (!longest || !longest->bounded);
+}
+
 std::string durationText(const SkillDuration& duration) {
   if (neverRuns(duration)) return "never runs";
   if (neverEnds(duration)) return "never ends";

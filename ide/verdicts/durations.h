@@ -33,7 +33,9 @@ struct DurationQuestions {
 
 /// "2 to 8 s", "more than 2 s, with no upper bound", "never runs". Empty if nothing is known.
 [[nodiscard]] std::string durationText(const SkillDuration& duration);
-/// The same as a sentence about the skill: "Takes 2 to 8 s.", "Never runs." May be empty.
+/// Whether the skill may take any time, as far as is known: not worth a lens or a hint.
+[[nodiscard]] bool isAnyTime(const SkillDuration& duration);
+/// `durationText` as a sentence about the skill: "Takes 2 to 8 s.", "Never runs." May be empty.
 /// \param timeMayStop `program.time_progress` does not hold, so runs in which time stops do not
 /// count
 [[nodiscard]] std::string durationSentence(const SkillDuration& duration, bool timeMayStop);

@@ -1,4 +1,5 @@
 #include "ide/features/hover.h"
+#include "ide/features/inlay_hints.h"
 #include "ide/features/lenses.h"
 #include "ide/verdicts/durations.h"
 #include "tests/ide/marked_program.h"
@@ -92,6 +93,44 @@ TEST_CASE("hovers and lenses show the duration of a skill, only for these texts"
         std::string::npos);
   for (const auto& lens : ide::lenses(edited.view(), known))
     CHECK(lens.title.find("2 to 5 s") == std::string::npos);
+}
+
+TEST_CASE("neither lenses nor hints show that a skill may take any time") {
+  const MarkedProgram program("(defskill drive :body ((^ 2)))");
+  const ide::MeasuredTime unbounded{true, false, {}};
+  const auto lensAndHint = [&](std::optional<ide::MeasuredTime> shortest,
+                               std::optional<ide::MeasuredTime> longest) {
+    const auto known = measured(program, {{"drive", shortest, longest}});
+    const auto& view = program.view();
+    std::vector<std::string> shown{ide::lenses(view, known).front().title};
+    for (const auto& hint : ide::inlayHints(view, {0, 40}, known)) shown.push_back(hint.label);
+    return shown;
+  };
+  using Shown = std::vector<std::string>;
+  CHECK(lensAndHint(time(0), unbounded) == Shown{"✓ 1 good"});
+  CHECK(lensAndHint(time(1), unbounded) ==
+        Shown{"✓ 1 good · at least 1 s, with no upper bound", "at least 1 s, with no upper bound"});
+  CHECK(lensAndHint(time(0), time(3)) == Shown{"✓ 1 good · 0 to 3 s", "0 to 3 s"});
+  CHECK(lensAndHint(time(0), ide::MeasuredTime{false, true, {}}) ==
+        Shown{"✓ 1 good · never runs", "never runs"});
+  CHECK(lensAndHint(ide::MeasuredTime{false, true, {}}, unbounded) ==
+        Shown{"✓ 1 good · never ends", "never ends"});
+  // a limit was met: the hint is computed from the body
+  CHECK(lensAndHint(std::nullopt, unbounded) == Shown{"✓ 1 good", "2 s"});
+  CHECK(lensAndHint(time(0), std::nullopt) == Shown{"✓ 1 good", "2 s"});
+  CHECK(lensAndHint(std::nullopt, std::nullopt) == Shown{"✓ 1 good", "2 s"});
+}
+
+TEST_CASE("a hint shows a measured duration also where none can be computed") {
+  const MarkedProgram program("(defskill drive :body ((^ (door Open))))\n"
+                              "(defsv door :states (Open Shut) :init (Open Shut))");
+  const auto hints = [&](const ide::Verdicts& known) {
+    return ide::inlayHints(program.view(), {0, 20}, known);
+  };
+  CHECK(hints({}).empty());
+  const auto known = measured(program, {{"drive", time(1), time(3)}});
+  REQUIRE(hints(known).size() == 1);
+  CHECK(hints(known).front().label == "1 to 3 s");
 }
 
 } // namespace proskill::test::durations_test
