@@ -244,6 +244,17 @@ TEST_CASE("lines that were typed are indented below each other, and no others") 
   CHECK(formatted({}) == text);
 }
 
+TEST_CASE("typed lines keep their ends") {
+  CHECK(typed("(defskill m\r\n:body \r\n^") == "(defskill m\r\n  :body\r\n    ");
+  CHECK(typed("(defskill m\r\n \r\n^  \r\n(f)\r\n") == "(defskill m\r\n\r\n  \r\n(f)\r\n");
+  CHECK(typed("(defevent   e\r\n:effects ( a  B ))^\r\n") ==
+        "(defevent e\r\n  :effects (a B))\r\n");
+  const std::string text = "(defskill m\r\n:body \r\n((f)\t\r\n \r\n(g)";
+  const std::array lines{1U, 2U, 3U, 4U};
+  CHECK(syntax::applyEdits(text, syntax::formatLines(Document::parse(text), lines)) ==
+        "(defskill m\r\n  :body\r\n    ((f)\r\n\r\n     (g)");
+}
+
 TEST_CASE("lines are indented where the formatter puts them") {
   for (const auto& program : test::allPrograms()) {
     const auto text = formatted(program);
