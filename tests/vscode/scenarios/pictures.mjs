@@ -69,6 +69,7 @@ export const scenarios = {
     await expand(page, 'uav_mission (');
     await editor.openFile('drone/drone.proskill');
     await editor.goTo(161);
+    await page.locator('.codelens-decoration', { hasText: '21 good | 0 references' }).waitFor();
     const frame = await editor.openTrace(failing);
     for (let i = 0; i < 8; ++i) await frame.locator('.steps').press('ArrowDown');
     await frame.locator('#step-8.current').waitFor();
