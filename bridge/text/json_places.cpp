@@ -1,5 +1,7 @@
 #include "bridge/text/json_places.h"
 
+#include "syntax/text/utf8.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -31,7 +33,7 @@ private:
     std::size_t next = 0; ///< of a list: the index of its next element
   };
 
-  void skip() { at = std::min(text.find_first_not_of(" \t\r\n,:\xEF\xBB\xBF", at), text.size()); }
+  void skip() { at = std::min(text.find_first_not_of(" \t\r\n,:", at), text.size()); }
 
   void token() {
     if (text[at] == '}' || text[at] == ']') {
@@ -118,7 +120,8 @@ Place JsonPlaces::of(std::string path) const {
 Place placeIn(std::string_view text, std::size_t byte, std::filesystem::path file) {
   const auto before = text.substr(0, std::min(byte, text.size()));
   const auto line = static_cast<std::uint64_t>(std::ranges::count(before, '\n')) + 1;
-  return {std::move(file), line, before.size() - (before.rfind('\n') + 1) + 1};
+  return {std::move(file), line,
+          syntax::countCharacters(before.substr(before.rfind('\n') + 1)) + 1};
 }
 
 } // namespace proskill::bridge

@@ -2,6 +2,8 @@
 
 #include "bridge/text/json_places.h"
 
+#include "syntax/text/utf8.h"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -45,6 +47,8 @@ public:
     std::ranges::stable_sort(errors, {}, [](const Error& error) {
       return std::pair(error.place.line, error.place.column);
     });
+    if (hidden > 0)
+      errors.push_back({places.of({}), fmt::format("{} more errors are not shown", hidden)});
     return std::unexpected(std::move(errors));
   }
 
@@ -117,13 +121,17 @@ private:
   }
 
   void fail(const std::string& path, const std::string& message) {
-    if (errors.size() < kMostErrors) errors.push_back({places.of(path), path + " " + message});
+    if (errors.size() >= kMostErrors)
+      ++hidden;
+    else
+      errors.push_back({places.of(path), path + " " + message});
   }
 
   const Json& json;
   JsonPlaces places;
   Leaves leaves;
   Errors errors;
+  std::size_t hidden = 0; ///< errors
 };
 
 std::string Leaf::interval() const {
@@ -131,8 +139,9 @@ std::string Leaf::interval() const {
   return "[" + least + "," + (most.empty() ? "...[" : most + "]");
 }
 
-std::expected<Leaves, Errors> Leaves::read(std::string_view text,
+std::expected<Leaves, Errors> Leaves::read(std::string_view content,
                                            const std::filesystem::path& file) {
+  const auto text = syntax::withoutByteOrderMark(content);
   const auto wrong = [&](std::size_t byte, const char* message) {
     return std::unexpected(Errors{{placeIn(text, byte, file), message}});
   };

@@ -1,6 +1,7 @@
 #include "bridge/text/lexer.h"
 
 #include "syntax/text/quote.h"
+#include "syntax/text/utf8.h"
 
 #include <fmt/format.h>
 
@@ -109,9 +110,7 @@ private:
 
 std::expected<std::vector<Token>, Error> tokensOf(std::string_view text,
                                                   const std::filesystem::path& file) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF"; // as editors on Windows write it
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-  return Lexer(text, file).run();
+  return Lexer(syntax::withoutByteOrderMark(text), file).run();
 }
 
 } // namespace proskill::bridge

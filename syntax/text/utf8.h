@@ -13,6 +13,12 @@ namespace proskill::syntax {
 /// U+FFFD, the replacement for bytes that are not UTF-8 and for characters that cannot be shown.
 inline constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 
+/// A text without the mark that editors on Windows write before its first character.
+[[nodiscard]] constexpr std::string_view withoutByteOrderMark(std::string_view text) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
+}
+
 /// Whether a byte continues a character.
 [[nodiscard]] constexpr bool continuesCharacter(char byte) {
   return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;

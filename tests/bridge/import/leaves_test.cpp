@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+
 using namespace proskill;
 
 namespace {
@@ -36,6 +38,19 @@ leaves.json:9:3: /ticks is not a field of this file
 )");
 }
 
+TEST_CASE("columns are those of characters, as everywhere") {
+  CHECK(leavesErrors("{\"leaves\": {\"\xC3\xA9\": {}, \"B\": 1}}") ==
+        "leaves.json:1:22: /leaves/B must be an object\n");
+}
+
+TEST_CASE("of very many errors the number is shown") {
+  std::string many = "{\"leaves\": {";
+  for (int i = 0; i < 130; ++i) many += (i > 0 ? ", \"L" : "\"L") + std::to_string(i) + "\": 1";
+  const auto text = leavesErrors(many + "}}");
+  CHECK(std::ranges::count(text, '\n') == 101);
+  CHECK(text.ends_with("30 more errors are not shown\n"));
+}
+
 TEST_CASE("a text that is not a file of leaves is an error at its place") {
   CHECK(leavesErrors("[") == "leaves.json:1:2: the file is not JSON\n");
   CHECK(leavesErrors("{\n  \"tick\": 1,\n}") == "leaves.json:3:1: the file is not JSON\n");
@@ -43,7 +58,7 @@ TEST_CASE("a text that is not a file of leaves is an error at its place") {
   CHECK(leavesErrors("[1]") == "leaves.json:1:1: the file must contain an object\n");
   CHECK(leavesErrors("{\"tick\": 1e999}") == "leaves.json:1:10: the number is too large\n");
   CHECK(leavesErrors("\xEF\xBB\xBF{\"leaves\": 1}") ==
-        "leaves.json:1:5: /leaves must be an object\n");
+        "leaves.json:1:2: /leaves must be an object\n");
   const std::string deep(100'000, '[');
   CHECK(leavesErrors("{\"leaves\": {\"A\": " + deep + std::string(deep.size(), ']') + "}}") ==
         "leaves.json:1:13: /leaves/A must be an object\n");
