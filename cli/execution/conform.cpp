@@ -70,54 +70,31 @@ int sayVerdict(const analysis::Program& program, const runtime::ConformResult& r
   return result.verdict == Conformance::Unknown ? kInconclusive : kFound;
 }
 
-/// What is done with a recorded run while it is read.
+/// Judges a recorded run while it is read, and may learn from it.
 class Reading final : public runtime::RunSink {
 public:
   /// \param to learns from the run, unless it is null
-  Reading(const analysis::Program& of, const runtime::ConformOptions& by,
-          runtime::DurationsOfRuns* to)
-      : program(of), options(by), durations(to) {}
+  Reading(runtime::RunJudge& by, runtime::DurationsOfRuns* to) : judge(by), durations(to) {}
 
   bool onHead(const runtime::RecordedHead& head) override {
     mainSkill = head.mainSkill;
-    if (durations) durations->beginRun();
-    judge = runtime::RunJudge::create(program, head, options);
-    return judge.has_value();
+    if (durations) (void)durations->onHead(head);
+    return judge.onHead(head);
   }
   bool onStep(const runtime::RecordedStep& step) override {
-    if (durations) durations->step(step);
-    return (*judge)->step(step) || durations;
+    const bool isJudged = judge.onStep(step);
+    return durations ? durations->onStep(step) : isJudged;
   }
   bool onCall(const runtime::RecordedCall& call) override {
-    return (*judge)->call(call) || durations;
+    const bool isJudged = judge.onCall(call);
+    return durations ? durations->onCall(call) : isJudged;
   }
 
   std::string mainSkill;
-  std::expected<std::unique_ptr<runtime::RunJudge>, runtime::NotExecutable> judge;
 
 private:
-  const analysis::Program& program;
-  runtime::ConformOptions options;
+  runtime::RunJudge& judge;
   runtime::DurationsOfRuns* durations;
-};
-
-/// Learns from a further run, which is not judged.
-class Learning final : public runtime::RunSink {
-public:
-  explicit Learning(runtime::DurationsOfRuns& to) : durations(to) {}
-
-  bool onHead(const runtime::RecordedHead&) override {
-    durations.beginRun();
-    return true;
-  }
-  bool onStep(const runtime::RecordedStep& step) override {
-    durations.step(step);
-    return true;
-  }
-  bool onCall(const runtime::RecordedCall&) override { return true; }
-
-private:
-  runtime::DurationsOfRuns& durations;
 };
 
 /// \return an error message, or nothing
@@ -143,17 +120,16 @@ int runConform(const ConformArguments& arguments) {
   const auto program = loadChecked(arguments.file, arguments.colour);
   if (!program) return kFailed;
   const auto tolerance = std::llround(arguments.tolerance * static_cast<double>(runtime::kSecond));
+  runtime::RunJudge judge(*program, {.tolerance = tolerance, .placesMatter = !arguments.isEdited});
   runtime::DurationsOfRuns durations(*program);
-  auto* const learned = arguments.learns ? &durations : nullptr;
-  Reading run(*program, {.tolerance = tolerance, .placesMatter = !arguments.isEdited}, learned);
+  Reading run(judge, arguments.learns ? &durations : nullptr);
   if (const auto wrong = readRun(arguments.recording, *program, run)) return fail(*wrong);
-  if (!run.judge) return failGeneration(*program, run.judge.error());
-  const auto exitCode = sayVerdict(*program, (*run.judge)->result());
+  const auto result = judge.result();
+  if (!result) return failGeneration(*program, result.error());
+  const auto exitCode = sayVerdict(*program, *result);
   if (!arguments.learns) return exitCode;
-  for (const auto& path : arguments.more) {
-    Learning other(durations);
-    if (const auto wrong = readRun(path, *program, other)) return fail(*wrong);
-  }
+  for (const auto& path : arguments.more)
+    if (const auto wrong = readRun(path, *program, durations)) return fail(*wrong);
   const auto end = learn(
       *program, arguments.file, durations.all(),
       {.mainSkill = run.mainSkill, .seconds = arguments.timeLimit, .colour = arguments.colour});

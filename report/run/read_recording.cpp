@@ -65,22 +65,6 @@ private:
   std::size_t searched = 0;
 };
 
-/// Keeps a run of which more is known only after its steps.
-class Kept final : public runtime::RunSink {
-public:
-  bool onHead(const runtime::RecordedHead&) override { return true; }
-  bool onStep(const runtime::RecordedStep& step) override {
-    run.steps.push_back(step);
-    return true;
-  }
-  bool onCall(const runtime::RecordedCall& call) override {
-    run.calls.push_back(call);
-    return true;
-  }
-
-  runtime::RecordedRun run;
-};
-
 /// A trace in one text.
 struct WholeTrace {
   Json beside; ///< without its steps
@@ -91,7 +75,7 @@ struct WholeTrace {
 std::optional<WholeTrace> wholeTrace(std::string_view text, const analysis::Program& program) {
   using Event = Json::parse_event_t;
   StepReader reader(program);
-  Kept kept;
+  runtime::KeptRun kept; // more is known of it only after its steps
   bool isNamedSteps = false;
   bool isInSteps = false;
   auto trace = parsed(text, [&](int depth, Event event, Json& value) {

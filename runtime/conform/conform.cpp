@@ -28,6 +28,8 @@ std::string secondsText(Nanoseconds date) {
 /// Thrown if there are too many states to follow.
 struct TooMany {};
 
+} // namespace
+
 /// Keeps the set of states that the model can be in after the recorded steps.
 class Follower {
 public:
@@ -269,11 +271,10 @@ private:
   verify::StepLog log;
 };
 
-class ModelJudge final : public RunJudge {
+class RunJudge::WithModel {
 public:
-  ModelJudge(std::unique_ptr<const Executable> run,
-             std::unique_ptr<const ConformanceModel> verified, const RecordedHead& head,
-             const ConformOptions& options)
+  WithModel(std::unique_ptr<const Executable> run, std::unique_ptr<const ConformanceModel> verified,
+            const RecordedHead& head, const ConformOptions& options)
       : executed(std::move(run)),
         model(std::move(verified)),
         follower(*model, options),
@@ -281,7 +282,7 @@ public:
     note(claims.initial(head));
   }
 
-  bool step(const RecordedStep& step) override {
+  bool step(const RecordedStep& step) {
     if (isDecided) return false;
     note(claims.step(step));
     // a step that no run explains comes before a wrong claim in it
@@ -295,12 +296,12 @@ public:
   }
 
   /// A wrong call counts at the next step.
-  bool call(const RecordedCall& call) override {
+  bool call(const RecordedCall& call) {
     if (!isDecided) note(claims.call(call));
     return !isDecided;
   }
 
-  [[nodiscard]] ConformResult result() const override {
+  [[nodiscard]] ConformResult result() const {
     if (isDecided || !wrongClaim) return verdict;
     auto last = refuted();
     last.step = verdict.step;
@@ -329,44 +330,36 @@ private:
   ConformResult verdict;
 };
 
-/// Judges a run that is passed on from memory.
-class JudgeSink final : public RunSink {
-public:
-  JudgeSink(const analysis::Program& of, const ConformOptions& by) : program(of), options(by) {}
+RunJudge::RunJudge(const analysis::Program& of, const ConformOptions& by)
+    : program(of), options(by) {}
+RunJudge::~RunJudge() = default;
 
-  bool onHead(const RecordedHead& head) override {
-    judge = RunJudge::create(program, head, options);
-    return judge.has_value();
-  }
-  bool onStep(const RecordedStep& step) override { return (*judge)->step(step); }
-  bool onCall(const RecordedCall& call) override { return (*judge)->call(call); }
-
-  std::expected<std::unique_ptr<RunJudge>, NotExecutable> judge;
-
-private:
-  const analysis::Program& program;
-  const ConformOptions& options;
-};
-
-} // namespace
-
-std::expected<std::unique_ptr<RunJudge>, NotExecutable>
-RunJudge::create(const analysis::Program& program, const RecordedHead& head,
-                 const ConformOptions& options) {
+bool RunJudge::onHead(const RecordedHead& head) {
   auto executed = makeExecutable(program, head.mainSkill, head.environment);
-  if (!executed) return std::unexpected(std::move(executed.error()));
-  auto model =
-      conformanceModel(program, **executed, head.mainSkill, head.environment, options.tolerance);
-  if (!model) return std::unexpected(std::move(model.error()));
-  return std::make_unique<ModelJudge>(std::move(*executed), std::move(*model), head, options);
+  auto model = executed ? conformanceModel(program, **executed, head.mainSkill, head.environment,
+                                           options.tolerance)
+                        : std::unexpected(executed.error());
+  if (model)
+    judge = std::make_unique<WithModel>(std::move(*executed), std::move(*model), head, options);
+  else
+    judge = std::unexpected(std::move(model.error()));
+  return judge.has_value();
+}
+
+bool RunJudge::onStep(const RecordedStep& step) { return judge && (*judge)->step(step); }
+
+bool RunJudge::onCall(const RecordedCall& call) { return judge && (*judge)->call(call); }
+
+std::expected<ConformResult, NotExecutable> RunJudge::result() const {
+  if (!judge) return std::unexpected(judge.error());
+  return (*judge)->result();
 }
 
 std::expected<ConformResult, NotExecutable>
 conform(const analysis::Program& program, const RecordedRun& run, const ConformOptions& options) {
-  JudgeSink sink(program, options);
-  (void)replay(run, sink);
-  if (!sink.judge) return std::unexpected(std::move(sink.judge.error()));
-  return (*sink.judge)->result();
+  RunJudge judge(program, options);
+  (void)replay(run, judge);
+  return judge.result();
 }
 
 } // namespace proskill::runtime

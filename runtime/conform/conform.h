@@ -37,21 +37,26 @@ struct ConformOptions {
 /// same steps at the same dates. Steps that a recording does not contain (watchdogs; the
 /// environment, unless it was executed) may happen in between. Initial values, messages and the
 /// calls of actions have to be those of the program. The memory does not grow with the run.
-class RunJudge {
+class RunJudge final : public RunSink {
 public:
-  /// \pre the program outlives it
-  [[nodiscard]] static std::expected<std::unique_ptr<RunJudge>, NotExecutable>
-  create(const analysis::Program& program, const RecordedHead& head, const ConformOptions& options);
-  RunJudge() = default;
-  RunJudge(const RunJudge&) = delete;
-  RunJudge& operator=(const RunJudge&) = delete;
-  virtual ~RunJudge() = default;
+  /// \pre the program outlives this
+  RunJudge(const analysis::Program& of, const ConformOptions& by);
+  ~RunJudge() override;
 
-  /// In the order of the recording. \return whether the verdict may still change
-  [[nodiscard]] virtual bool step(const RecordedStep& step) = 0;
-  [[nodiscard]] virtual bool call(const RecordedCall& call) = 0;
-  /// The verdict on what was read until now; where the run conforms, `step` is their number.
-  [[nodiscard]] virtual ConformResult result() const = 0;
+  bool onHead(const RecordedHead& head) override;
+  /// \return whether the verdict may still change, as of the others
+  bool onStep(const RecordedStep& step) override;
+  bool onCall(const RecordedCall& call) override;
+  /// The verdict on what was read until now; where the run conforms, `step` is the number of steps.
+  /// The error: there is no model of this mission. \pre it has a head
+  [[nodiscard]] std::expected<ConformResult, NotExecutable> result() const;
+
+private:
+  class WithModel;
+
+  const analysis::Program& program;
+  ConformOptions options;
+  std::expected<std::unique_ptr<WithModel>, NotExecutable> judge;
 };
 
 /// Judges a run in memory.

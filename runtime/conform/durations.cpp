@@ -41,16 +41,24 @@ Nanoseconds rounded(Nanoseconds time, bool up) {
 
 } // namespace
 
-void DurationsOfRuns::step(const RecordedStep& step) {
+bool DurationsOfRuns::onHead(const RecordedHead&) {
+  since.clear();
+  return true;
+}
+
+bool DurationsOfRuns::onStep(const RecordedStep& step) {
   const auto* skill = program.skills.find(step.what.actor);
   if (!step.stops.empty()) since.erase(step.stops);
-  if (!skill || (*skill)->isComposite()) return;
+  if (!skill || (*skill)->isComposite()) return true;
   if (step.what.description == "starts") since[step.what.actor] = step.date;
   const auto begin = since.find(step.what.actor);
-  if (begin == since.end() || !isResult(step)) return;
+  if (begin == since.end() || !isResult(step)) return true;
   add(durations[step.what.actor], step.date - begin->second);
   since.erase(begin);
+  return true;
 }
+
+bool DurationsOfRuns::onCall(const RecordedCall&) { return true; }
 
 std::string widened(const syntax::Interval& interval, const Durations& durations) {
   const auto lower = nanoseconds(interval.lower);

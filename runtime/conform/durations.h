@@ -15,13 +15,14 @@ struct Durations {
 };
 
 /// Collects the durations of actions while runs are read.
-class DurationsOfRuns {
+class DurationsOfRuns final : public RunSink {
 public:
   /// \pre the program outlives this
   explicit DurationsOfRuns(const analysis::Program& of) : program(of) {}
 
-  void beginRun() { since.clear(); }
-  void step(const RecordedStep& step);
+  bool onHead(const RecordedHead& head) override;
+  bool onStep(const RecordedStep& step) override;
+  bool onCall(const RecordedCall& call) override;
   /// By skill; a skill whose action has never ended by itself is missing.
   [[nodiscard]] const std::map<std::string, Durations>& all() const { return durations; }
 

@@ -31,6 +31,21 @@ RecordedCall recorded(const Executable& executable, const Start& start, Nanoseco
   return made;
 }
 
+bool KeptRun::onHead(const RecordedHead& head) {
+  run.head = head;
+  return true;
+}
+
+bool KeptRun::onStep(const RecordedStep& step) {
+  run.steps.push_back(step);
+  return true;
+}
+
+bool KeptRun::onCall(const RecordedCall& call) {
+  run.calls.push_back(call);
+  return true;
+}
+
 bool replay(const RecordedRun& run, RunSink& to) {
   return to.onHead(run.head) && replaySteps(run, to);
 }

@@ -56,6 +56,16 @@ struct RecordedRun {
   std::vector<RecordedCall> calls; ///< in the order of the recording
 };
 
+/// Keeps a run in memory.
+class KeptRun final : public RunSink {
+public:
+  bool onHead(const RecordedHead& head) override;
+  bool onStep(const RecordedStep& step) override;
+  bool onCall(const RecordedCall& call) override;
+
+  RecordedRun run;
+};
+
 /// Passes on a run in memory. \return whether more was wanted
 [[nodiscard]] bool replay(const RecordedRun& run, RunSink& to);
 /// The same without its head.

@@ -44,7 +44,7 @@ std::string contentOf(const std::string& path) {
 /// What the model makes of a recording: its number of steps, or why it is not a run.
 std::string judged(const std::string& bytes) {
   const auto program = test::programOfText(kFlies);
-  test::KeptRun kept;
+  runtime::KeptRun kept;
   if (const auto wrong = report::readRecording(test::fileOf(bytes), program, kept)) return *wrong;
   const auto result = runtime::conform(program, kept.run, {});
   return result && result->why.empty() ? std::to_string(kept.run.steps.size()) : result->why;

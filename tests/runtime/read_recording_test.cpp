@@ -15,7 +15,7 @@ namespace {
 /// What is read of a trace: its mission, and its steps and starts of actions; or the error.
 std::string readAs(const std::string& text) {
   const auto program = test::programOfText("(defskill m :body ((^ 1)))");
-  test::KeptRun kept;
+  runtime::KeptRun kept;
   if (const auto wrong = report::readRecording(test::fileOf(text), program, kept)) return *wrong;
   auto said = fmt::format("{}:", kept.run.head.mainSkill);
   for (const auto& step : kept.run.steps) said += fmt::format(" {}@{}", step.what.actor, step.date);
