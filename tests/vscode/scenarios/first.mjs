@@ -171,11 +171,11 @@ export const scenarios = {
     await expect('the pasted text', async () => (await shownText(page)).includes(kPasted.trimEnd()));
     await page.keyboard.type('(defskill rest', { delay: kDelay });
     await editor.press('Enter');
-    await page.keyboard.type(':time_interval [1,2]', { delay: kDelay });
+    await page.keyboard.type('   :time_interval [1,2]', { delay: kDelay }); // too far to the right: shows when the lines are formatted
     await editor.press('Enter', 'Control+Home');
-    const pasted = [formatted, kPasted + '(defskill rest', '  :time_interval [1,2]', ')'];
-    await expect('the text as it was pasted and typed', async () => words(await typedText(page)) === words(pasted.join('\n')));
-    equal('the pasted text', (await shownText(page)).includes(kPasted.trimEnd()), true);
+    const pasted = [formatted, kPasted + '(defskill rest', '  :time_interval [1,2]', '  )'].join('\n');
+    await expect('the text as it was pasted, and as typed, formatted', async () => (await typedText(page)) === pasted).catch(() => undefined);
+    equal('the text', await typedText(page), pasted);
     await expect('nothing after undo', async () => {
       await editor.press('Control+z');
       return (await typedText(page)) === '';
