@@ -74,7 +74,7 @@ TEST_CASE("a column takes as many bits for a number as the greatest needs") {
     CHECK(column.at(4096) == 0);
     for (std::uint32_t i = 0; i < 10'000; ++i)
       if (i < 4095 || i > 4096) REQUIRE(column.at(i) == (i % 3 == 0 ? most : most / 2));
-    CHECK(column.bytes() < 3 * (4096 * static_cast<std::uint64_t>(width) / 8 + 64));
+    CHECK(column.bytes() < 3 * (4096 * static_cast<std::uint64_t>(width) / 8 + 32));
   }
 }
 

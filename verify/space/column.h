@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 #include <vector>
 
 namespace proskill::verify {
@@ -34,8 +35,8 @@ public:
   }
   [[nodiscard]] std::size_t size() const { return count; }
   [[nodiscard]] std::uint64_t bytes() const {
-    return bytesOfBlocks + blocks.capacity() * sizeof(Block) +
-           pieces.capacity() * sizeof(std::uint8_t*);
+    return bytesOfBlocks + small.capacity() * sizeof(SmallBlock) +
+           large.capacity() * sizeof(LargeBlock) + pieces.capacity() * sizeof(std::uint8_t*);
   }
   /// Bytes that the next few numbers may allocate at once.
   [[nodiscard]] std::uint64_t growth() const {
@@ -47,10 +48,13 @@ public:
   }
 
 private:
-  using Block = LargeVector<std::uint8_t>;    ///< one piece, or many once there are many
-  static constexpr std::size_t kPiece = 4096; ///< entries of a piece
+  using SmallBlock = std::unique_ptr<std::uint8_t[]>; ///< one piece
+  using LargeBlock = LargeVector<std::uint8_t>;       ///< many pieces
+  static constexpr std::size_t kPiece = 4096;         ///< entries of a piece
 
   [[nodiscard]] std::size_t bytesOfPiece() const { return kPiece / 8 * width; }
+  /// A column that is several times as large as a large block has large ones.
+  [[nodiscard]] bool isLarge() const { return pieces.size() * bytesOfPiece() >= 4 * kLargeTable; }
   [[nodiscard]] std::size_t sizeOfNextBlock() const;
   void addBlock();
   /// Numbers have their lowest byte first, as on all processors that there are packages for.
@@ -83,7 +87,8 @@ private:
   std::uint32_t width = 0; ///< bits of each
   std::size_t count = 0;
   std::vector<std::uint8_t*> pieces; ///< in the blocks
-  std::vector<Block> blocks;
+  std::vector<SmallBlock> small;     ///< those of the first pieces
+  std::vector<LargeBlock> large;     ///< those of the others
   std::uint64_t bytesOfBlocks = 0;
 };
 
