@@ -246,6 +246,11 @@ bool isPartOf(const std::vector<Word>& some, const std::vector<Word>& of) {
   return true;
 }
 
+/// Whether a cell is among those that are written; never if it has no bits, since it is constant.
+bool isWritten(const std::vector<Word>& cell, const std::vector<Word>& written) {
+  return isPartOf(cell, written) && std::ranges::any_of(cell, [](Word it) { return it != 0; });
+}
+
 } // namespace
 
 /// Whether it is easy to see that no cell is dead: each instance may move sooner or later, and each
@@ -278,7 +283,7 @@ bool LiveVariables::mayAllMove() const {
       const auto end = i + 1 < waiting.size() ? waiting[i + 1].first : waitsFor.size();
       const Place*& place = waiting[i].place;
       const std::span cells(waitsFor.data() + waiting[i].first, waitsFor.data() + end);
-      if (!place || !std::ranges::all_of(cells, [&](auto* it) { return isPartOf(*it, writes); }))
+      if (!place || !std::ranges::all_of(cells, [&](auto* it) { return isWritten(*it, writes); }))
         continue;
       for (std::size_t k = 0; k < writes.size(); ++k) writes[k] |= place->writes[k];
       place = nullptr; // it may move

@@ -80,7 +80,7 @@ void lowerGuard(const System& system, Transition& transition) {
     const bool negated = node.op == NodeOp::Not;
     auto test = testOf(system, negated ? system.nodes[node.a] : node);
     const bool isBit = test && std::has_single_bit(test->mask);
-    if (!test) {
+    if (!test || (negated && test->mask == 0)) { // a constant has no bits to differ in
       transition.rest.push_back(part);
     } else if (negated && isBit) { // to differ from one of two values is to equal the other one
       test->value ^= test->mask;
@@ -112,16 +112,49 @@ void lowerCode(const System& system, Path& path) {
   }
 }
 
+/// A cell that is never written, and whose initial value is its least, needs no bits.
+void narrowConstants(System& system) {
+  Bits written;
+  for (const auto& path : system.paths) written |= path.writes;
+  for (CellId i = 0; i < system.cells.size(); ++i) {
+    Cell& cell = system.cells[i];
+    if (!written.contains(i) && cell.initial == cell.low) cell.high = cell.low;
+  }
+}
+
+/// All cells: the location of each instance, followed by what its steps change. So a step changes
+/// bits that are close to each other, and few nodes of the tree in which states are stored
+/// (verify/space/state_tree.h).
+std::vector<CellId> inOrder(const System& system) {
+  std::vector<std::vector<PathId>> paths(system.instances.size());
+  for (PathId i = 0; i < system.paths.size(); ++i) paths[system.paths[i].instance].push_back(i);
+  std::vector<CellId> order;
+  Bits ordered;
+  const auto add = [&](CellId cell) {
+    if (ordered.contains(cell)) return;
+    ordered.insert(cell);
+    order.push_back(cell);
+  };
+  for (InstanceId i = 0; i < system.instances.size(); ++i) {
+    add(system.instances[i].location);
+    for (auto path : paths[i]) system.paths[path].writes.each(add);
+  }
+  for (CellId i = 0; i < system.cells.size(); ++i) add(i);
+  return order;
+}
+
 } // namespace
 
 System withStateLayout(System system, const Bits& kept) {
+  narrowConstants(system);
+  const auto order = inOrder(system);
   Packer packer;
-  for (CellId i = 0; i < system.cells.size(); ++i)
-    if (kept.contains(i)) packer.place(system.cells[i]);
+  for (auto cell : order)
+    if (kept.contains(cell)) packer.place(system.cells[cell]);
   system.storedWords = packer.words();
   packer.nextWord();
-  for (CellId i = 0; i < system.cells.size(); ++i)
-    if (!kept.contains(i)) packer.place(system.cells[i]);
+  for (auto cell : order)
+    if (!kept.contains(cell)) packer.place(system.cells[cell]);
   system.words = packer.words();
   for (auto& node : system.nodes) makeTest(system, node);
   for (auto& transition : system.transitions) lowerGuard(system, transition);

@@ -12,11 +12,19 @@ namespace {
 
 using verify::Novelty;
 
+/// The layout of a system that may write each of its cells.
+verify::System laidOut(verify::System system) {
+  auto& path = system.paths.emplace_back();
+  for (verify::CellId i = 0; i < system.cells.size(); ++i) path.writes.insert(i);
+  if (system.instances.empty()) system.instances.emplace_back();
+  return verify::withStateLayout(std::move(system));
+}
+
 /// A system of two cells with the values 0 to 3.
 verify::System twoCells() {
   verify::System system;
   for (const auto* name : {"x", "y"}) system.cells.push_back({.name = name, .high = 3});
-  return verify::withStateLayout(system);
+  return laidOut(std::move(system));
 }
 
 class Seen {
@@ -75,7 +83,7 @@ TEST_CASE("the location of a long mission counts, a wide number does not") {
     system.cells.push_back({.name = name, .high = kLast});
   system.cells[2].high = 1;
   system.instances.push_back({.name = "mission", .location = 0});
-  system = verify::withStateLayout(system);
+  system = laidOut(std::move(system));
   Novelty novelty(system);
   const auto degreeOf = [&](std::int64_t location, std::int64_t number, std::int64_t flag) {
     std::vector<verify::Word> words(system.words);
