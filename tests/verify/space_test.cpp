@@ -2,6 +2,7 @@
 #include "verify/memory/large_vector.h"
 #include "verify/space/column.h"
 #include "verify/space/parents.h"
+#include "verify/space/roots.h"
 #include "verify/space/state_tree.h"
 #include "verify/space/zone_graph.h"
 
@@ -76,6 +77,51 @@ TEST_CASE("a column takes as many bits for a number as the greatest needs") {
       if (i < 4095 || i > 4096) REQUIRE(column.at(i) == (i % 3 == 0 ? most : most / 2));
     CHECK(column.bytes() < 3 * (4096 * static_cast<std::uint64_t>(width) / 8 + 32));
   }
+}
+
+TEST_CASE("rows of up to 64 bits keep theirs when bits are inserted") {
+  std::mt19937_64 random(2);
+  const auto numberBelow = [&](std::uint32_t most) {
+    return static_cast<std::uint32_t>(random() % most);
+  };
+  for (std::uint32_t width = 1; width <= 64; ++width) {
+    const std::uint32_t below = numberBelow(width);
+    const std::uint32_t more = numberBelow(65 - width);
+    PackedRows rows;
+    rows.widen(0, width);
+    std::vector<std::uint64_t> expected;
+    for (int i = 0; i < 5'000; ++i) {
+      expected.push_back(random() & PackedRows::maskOf(width));
+      rows.push(expected.back());
+    }
+    for (std::size_t i = 0; i < expected.size(); i += 3) rows.set(i, expected[i] = 0);
+    for (std::size_t i = 0; i < expected.size(); ++i) REQUIRE(rows.at(i) == expected[i]);
+    if (more > 0) rows.widen(below, more);
+    REQUIRE(rows.rowWidth() == width + more);
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      const std::uint64_t lowest = expected[i] & PackedRows::maskOf(below);
+      const std::uint64_t above = expected[i] >> below;
+      const std::uint64_t row = rows.at(i);
+      REQUIRE((row & PackedRows::maskOf(below)) == lowest);
+      REQUIRE((row >> below & PackedRows::maskOf(more)) == 0);
+      if (below + more < 64) REQUIRE(row >> (below + more) == above);
+    }
+  }
+}
+
+TEST_CASE("roots keep both numbers, however these grow") {
+  std::mt19937 random(3);
+  const auto numberOf = [&](std::uint32_t bits) {
+    return static_cast<std::uint32_t>(random() & PackedRows::maskOf(bits));
+  };
+  Roots roots;
+  std::vector<Root> expected;
+  for (std::uint32_t bits = 0; bits <= 32; ++bits)
+    for (int i = 0; i < 300; ++i) {
+      expected.push_back({numberOf(bits), numberOf(bits < 16 ? bits : 2 * bits - 32)});
+      roots.push(expected.back());
+    }
+  for (std::size_t i = 0; i < expected.size(); ++i) REQUIRE(roots.at(i) == expected[i]);
 }
 
 TEST_CASE("a column of millions of numbers grows and widens as a small one") {

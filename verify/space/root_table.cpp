@@ -39,8 +39,7 @@ StateId RootTable::find(const SoughtRoot& root) const {
 }
 
 StateId RootTable::push(const Root& root) {
-  left.push(root.left);
-  right.push(root.right);
+  roots.push(root);
   return count++;
 }
 
@@ -159,7 +158,7 @@ std::size_t RootTable::put(std::uint64_t hash, Entry entry) {
 }
 
 std::uint64_t RootTable::growth() const {
-  const std::uint64_t ofRoots = left.growth() + right.growth();
+  const std::uint64_t ofRoots = roots.growth();
   if (!isFull(used() + claims.size() + kBetweenGrowthChecks, slots.size())) return ofRoots;
   return ofRoots + (grown(slots.size()) - slots.size()) * sizeof(std::uint32_t);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "verify/space/column.h"
+#include "verify/space/roots.h"
 #include "verify/state/store.h"
 
 #include <algorithm>
@@ -9,13 +9,6 @@
 #include <vector>
 
 namespace proskill::verify {
-
-/// The pair of numbers at the root of a state tree.
-struct Root {
-  std::uint32_t left = 0;
-  std::uint32_t right = 0;
-  friend bool operator==(const Root&, const Root&) = default;
-};
 
 /// A root that is looked for, with its hash.
 struct SoughtRoot {
@@ -61,14 +54,13 @@ public:
   /// The number of a root; kNone if it has none. Several threads may call this at once, also while
   /// others call findOrClaim().
   [[nodiscard]] StateId find(const SoughtRoot& root) const;
-  [[nodiscard]] Root at(StateId id) const { return {left.at(id), right.at(id)}; }
+  [[nodiscard]] Root at(StateId id) const { return roots.at(id); }
   /// Asks the processor to load what the other functions will look at.
   void prefetchSlot(const SoughtRoot& root) const { __builtin_prefetch(&slots[slotOf(root.hash)]); }
   void prefetchState(const SoughtRoot& root) const {
     const Entry entry = load(slotOf(root.hash)) & numberMask;
     if (entry - 1 >= count) return; // nothing, or a claim
-    left.prefetch(entry - 1);
-    right.prefetch(entry - 1);
+    roots.prefetch(entry - 1);
   }
 
   /// Ends the claims that were made so far, and whose number nobody needed.
@@ -90,7 +82,7 @@ public:
 
   [[nodiscard]] std::uint32_t size() const { return count; }
   [[nodiscard]] std::uint64_t bytes() const {
-    return slots.capacity() * sizeof(std::uint32_t) + left.bytes() + right.bytes() +
+    return slots.capacity() * sizeof(std::uint32_t) + roots.bytes() +
            claims.capacity() * sizeof(Claim);
   }
   /// Bytes that the next few insertions may allocate at once.
@@ -125,7 +117,7 @@ private:
   [[nodiscard]] Entry entryOf(ClaimId claim) const { return numberMask - 1 - claim; }
   [[nodiscard]] ClaimId claimOf(Entry entry) const { return numberMask - 1 - entry; }
   [[nodiscard]] bool holds(Entry entry, const Root& root) const {
-    if (entry <= count) return left.at(entry - 1) == root.left && right.at(entry - 1) == root.right;
+    if (entry <= count) return roots.at(entry - 1) == root;
     return entry != numberMask && claims[claimOf(entry)].root == root;
   }
   [[nodiscard]] std::size_t seek(const SoughtRoot& sought) const;
@@ -141,8 +133,7 @@ private:
   void grow();
 
   std::uint32_t count = 0;
-  Column left;
-  Column right;
+  Roots roots;
   LargeVector<std::uint32_t> slots; ///< 0, or an entry below more bits of the hash
   std::uint32_t numberMask = 0;
   std::size_t dead = 0; ///< slots of claims that have ended

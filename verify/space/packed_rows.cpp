@@ -1,4 +1,4 @@
-#include "verify/space/column.h"
+#include "verify/space/packed_rows.h"
 
 #include "verify/model/release.h"
 
@@ -7,13 +7,24 @@
 
 namespace proskill::verify {
 
-std::size_t Column::sizeOfNextBlock() const {
-  const std::size_t piece = bytesOfPiece();
-  const std::size_t count = isLarge() ? kLargeTable / piece + 1 : 1;
-  return count * piece + sizeof(std::uint64_t); // entries are read as eight bytes
+namespace {
+
+/// A row with zeros between its lowest bits and the others.
+std::uint64_t withZeros(std::uint64_t row, std::uint32_t below, std::uint32_t more) {
+  const std::uint64_t above = row >> below;
+  const std::uint64_t lowest = row & PackedRows::maskOf(below);
+  return above == 0 ? lowest : lowest | above << (below + more);
 }
 
-void Column::addBlock() {
+} // namespace
+
+std::size_t PackedRows::sizeOfNextBlock() const {
+  const std::size_t piece = bytesOfPiece();
+  const std::size_t count = isLarge() ? kLargeTable / piece + 1 : 1;
+  return count * piece + sizeof(std::uint64_t); // rows are read as eight bytes, and one more
+}
+
+void PackedRows::addBlock() {
   const std::size_t size = sizeOfNextBlock();
   bytesOfBlocks += size;
   if (!isLarge()) {
@@ -27,8 +38,8 @@ void Column::addBlock() {
 }
 
 /// Copies one piece after the other, and gives back the old ones meanwhile.
-void Column::widen(std::uint32_t number) {
-  const auto before = std::exchange(width, bitsOf(number));
+void PackedRows::widen(std::uint32_t below, std::uint32_t more) {
+  const auto before = std::exchange(width, width + more);
   const auto narrow = std::exchange(pieces, {});
   auto oldSmall = std::exchange(small, {});
   auto oldLarge = std::exchange(large, {});
@@ -38,9 +49,9 @@ void Column::widen(std::uint32_t number) {
     if (before == 0) continue;
     if (used + 1 < oldLarge.size() && narrow[piece] == oldLarge[used + 1].data())
       release(oldLarge[used++]);
-    const std::size_t entries = std::min(kPiece, count - piece * kPiece);
-    for (std::size_t i = 0; i < entries; ++i)
-      write(pieces[piece], i, width, read(narrow[piece], i, before));
+    const std::size_t rows = std::min(kPiece, count - piece * kPiece);
+    for (std::size_t i = 0; i < rows; ++i)
+      write(pieces[piece], i, width, withZeros(read(narrow[piece], i, before), below, more));
     if (piece < oldSmall.size()) oldSmall[piece].reset();
   }
 }
