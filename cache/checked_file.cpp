@@ -1,8 +1,8 @@
 #include "cache/checked_file.h"
 
-#include "cache/digest.h"
 #include "disk/disk.h"
 #include "disk/output.h"
+#include "syntax/text/source.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -22,7 +22,7 @@ std::unique_ptr<Json> readChecked(const std::filesystem::path& file) {
   const auto bytes = disk::DiskFileSystem().read(file);
   if (!bytes || bytes->size() < kDigits) return nullptr;
   const auto body = std::string_view(*bytes).substr(kDigits);
-  if (digestOf(body) != std::string_view(*bytes).substr(0, kDigits)) return nullptr;
+  if (syntax::digestOf(body) != std::string_view(*bytes).substr(0, kDigits)) return nullptr;
   Json content = Json::from_cbor(body, true, false);
   return content.is_discarded() ? nullptr : std::make_unique<Json>(std::move(content));
 }
@@ -37,7 +37,7 @@ std::optional<std::string> writeChecked(const std::filesystem::path& file, const
   std::string body;
   Json::to_cbor(content, body);
   if (body.size() > kLargestFile) return std::nullopt;
-  return disk::writeFile(file, digestOf(body) + body);
+  return disk::writeFile(file, syntax::digestOf(body) + body);
 }
 
 } // namespace proskill::cache

@@ -1,7 +1,8 @@
 #include "cache/checkpoint_file.h"
 
-#include "cache/digest.h"
 #include "cache/model_text.h"
+#include "cache/this_program.h"
+#include "syntax/text/source.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -66,12 +67,12 @@ CheckpointKey checkpointKey(const std::string& kind, const codegen::Model& model
   const auto reductions =
       options.reductions | std::views::transform([](auto it) { return static_cast<int>(it); });
   return {.build = digestOfThisProgram(),
-          .model = digestOf(fmt::format("{}\n{}", fmt::join(std::views::keys(model.obliged), "\n"),
-                                        textOf(model.fiacre))),
-          .questions = digestOf(fmt::format("{}\n{}", kind, fmt::join(patterns, "\n"))),
-          .settings =
-              digestOf(fmt::format("{} {} {}", fmt::join(reductions, ","),
-                                   options.classesBeforeSlices, options.classesOfLedSearches))};
+          .model = syntax::digestOf(fmt::format(
+              "{}\n{}", fmt::join(std::views::keys(model.obliged), "\n"), textOf(model.fiacre))),
+          .questions = syntax::digestOf(fmt::format("{}\n{}", kind, fmt::join(patterns, "\n"))),
+          .settings = syntax::digestOf(fmt::format("{} {} {}", fmt::join(reductions, ","),
+                                                   options.classesBeforeSlices,
+                                                   options.classesOfLedSearches))};
 }
 
 CheckpointFile::CheckpointFile(const std::filesystem::path& path, double every, CheckpointKey of,

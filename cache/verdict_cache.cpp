@@ -1,8 +1,9 @@
 #include "cache/verdict_cache.h"
 
 #include "cache/checked_file.h"
-#include "cache/digest.h"
 #include "cache/model_text.h"
+#include "cache/this_program.h"
+#include "syntax/text/source.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -96,17 +97,18 @@ KnownAnswer answerIn(const Json& json) {
 }
 
 std::string keyOf(const codegen::Model& model) {
-  return digestOf(fmt::format("{}\n{}\n{}", digestOfThisProgram(),
-                              fmt::join(std::views::keys(model.obliged), "\n"),
-                              textOf(model.fiacre)));
+  return syntax::digestOf(fmt::format("{}\n{}\n{}", digestOfThisProgram(),
+                                      fmt::join(std::views::keys(model.obliged), "\n"),
+                                      textOf(model.fiacre)));
 }
 
 /// The file about parts is that of all programs with this name.
 std::filesystem::path partsFile(const std::filesystem::path& directory,
                                 const codegen::Model& model) {
   if (digestOfThisProgram().empty()) return {};
-  return directory / (digestOf(fmt::format("{}\n{}", digestOfThisProgram(), model.fiacre.main)) +
-                      std::string(kPartsExtension));
+  return directory /
+         (syntax::digestOf(fmt::format("{}\n{}", digestOfThisProgram(), model.fiacre.main)) +
+          std::string(kPartsExtension));
 }
 
 /// The same steps in a model whose transitions have the numbers; nothing if one of them is gone.
@@ -158,7 +160,7 @@ VerdictCache::VerdictCache(std::filesystem::path in, const codegen::Model& model
   if (digestOfThisProgram().empty()) return;
   file = directory / (cache::keyOf(model) + std::string(kExtension));
   for (const auto& property : model.fiacre.properties)
-    properties.push_back(digestOf(textOf(property.pattern, model.fiacre.main)));
+    properties.push_back(syntax::digestOf(textOf(property.pattern, model.fiacre.main)));
   verdicts = read(file);
   std::error_code error; // mark the file as used, so that it is kept
   if (!verdicts.answers.empty())
@@ -174,7 +176,7 @@ std::string VerdictCache::keyOf(const verify::Question& question) const {
                            : "") +
          (question.exempt.empty()
               ? ""
-              : "-" + digestOf(fmt::format("{}", fmt::join(question.exempt, "\n"))));
+              : "-" + syntax::digestOf(fmt::format("{}", fmt::join(question.exempt, "\n"))));
 }
 
 std::optional<KnownAnswer> VerdictCache::find(const verify::Question& question) {
@@ -215,10 +217,12 @@ std::optional<Evidence> VerdictCache::earlier(const verify::Question& question) 
   return found == violations.end() ? std::nullopt : std::optional(found->second);
 }
 
-bool VerdictCache::isNeverIn(const std::string& text) { return parts.contains(digestOf(text)); }
+bool VerdictCache::isNeverIn(const std::string& text) {
+  return parts.contains(syntax::digestOf(text));
+}
 
 void VerdictCache::keepNeverIn(const std::string& text) {
-  parts.insert(digestOf(text));
+  parts.insert(syntax::digestOf(text));
   saveSometimes();
 }
 

@@ -1,5 +1,9 @@
 #include "syntax/text/source.h"
 
+#include <fmt/format.h>
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
 #include <algorithm>
 #include <cstring>
 
@@ -63,6 +67,11 @@ Range LineIndex::line(std::uint32_t number, std::string_view text) const {
   Offset end = number + 1 < starts.size() ? starts[number + 1] - 1 : size;
   if (end > begin && number + 1 < starts.size() && text[end - 1] == '\r') --end;
   return {begin, end};
+}
+
+std::string digestOf(std::string_view text) {
+  const XXH128_hash_t digest = XXH3_128bits(text.data(), text.size());
+  return fmt::format("{:016x}{:016x}", digest.high64, digest.low64);
 }
 
 } // namespace proskill::syntax

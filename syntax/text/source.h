@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -55,5 +56,9 @@ private:
   std::vector<Offset> starts{0};
   Offset size = 0;
 };
+
+/// A digest of 128 bits as 32 hexadecimal digits. Different texts have different digests for all
+/// practical purposes, but the digest does not protect against deliberate collisions.
+[[nodiscard]] std::string digestOf(std::string_view text);
 
 } // namespace proskill::syntax

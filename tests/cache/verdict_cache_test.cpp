@@ -1,4 +1,3 @@
-#include "cache/digest.h"
 #include "cache/verdict_cache.h"
 #include "report/report_json.h"
 #include "tests/support/random/random_program.h"
