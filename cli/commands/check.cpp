@@ -8,7 +8,7 @@
 #include "cli/terminal/paint.h"
 #include "disk/disk.h"
 #include "ide/snapshot/fiacre_file.h"
-#include "report/check_report.h"
+#include "report/check/check_report.h"
 #include "report/program_settings.h"
 #include "report/text/render.h"
 #include "runtime/check/platform_check.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "report/check_report.h"
+#include "report/check/check_report.h"
 
 #include <expected>
 #include <span>

@@ -1,4 +1,4 @@
-#include "report/check_report.h"
+#include "report/check/check_report.h"
 #include "report/original_json.h"
 #include "report/text/render.h"
 #include "report/text/source_place.h"

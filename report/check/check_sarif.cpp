@@ -1,5 +1,5 @@
 #include "ide/description/explanation.h"
-#include "report/check_report.h"
+#include "report/check/check_report.h"
 #include "report/original_json.h"
 #include "report/sarif.h"
 #include "report/text/source_place.h"
