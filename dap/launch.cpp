@@ -4,6 +4,7 @@
 #include "report/ordered_json.h"
 #include "report/run/read_recording.h"
 #include "report/run/recording_part.h"
+#include "report/sources.h"
 
 #include <fmt/format.h>
 
@@ -88,9 +89,21 @@ std::expected<std::string, std::string> textOf(const LaunchArguments& arguments,
   return std::move(part->text);
 }
 
+/// Says which files have been edited since a trace was made: its places may be wrong in them.
+void noteEdited(const OrderedJson& json, const LaunchArguments& arguments,
+                const LaunchContext& around) {
+  const auto textOf = [&](const std::string& file) -> std::optional<std::string> {
+    auto text = around.disk.read(below(arguments.directory, file));
+    return text ? std::optional(std::move(*text)) : std::nullopt;
+  };
+  for (const auto& file : report::editedSources(json, textOf))
+    around.note(
+        fmt::format("{} has been edited since this trace was made: its lines may be others", file));
+}
+
 /// Reads a single trace, or a report with many.
-Source fromFile(const LaunchArguments& arguments, const analysis::FileSystem& disk) {
-  auto text = textOf(arguments, disk);
+Source fromFile(const LaunchArguments& arguments, const LaunchContext& around) {
+  auto text = textOf(arguments, around.disk);
   if (!text)
     return std::unexpected(
         fmt::format("cannot read `{}`: {}", arguments.trace.string(), text.error()));
@@ -98,6 +111,7 @@ Source fromFile(const LaunchArguments& arguments, const analysis::FileSystem& di
   if (json.is_discarded()) json = parsedJson(report::completed(*text));
   if (!json.is_object())
     return std::unexpected(fmt::format("`{}` is not valid JSON", arguments.trace.string()));
+  noteEdited(json, arguments, around);
   if (json.contains("properties")) return sourceIn(json, arguments.property, arguments.directory);
   auto trace = readTrace(json, arguments.directory);
   if (!trace) return std::unexpected(trace.error());
@@ -144,7 +158,7 @@ std::expected<LaunchArguments, std::string> readLaunch(const Json& json) {
 }
 
 Source openSource(const LaunchArguments& arguments, const LaunchContext& around) {
-  if (!arguments.trace.empty()) return fromFile(arguments, around.disk);
+  if (!arguments.trace.empty()) return fromFile(arguments, around);
   auto program = programOf(arguments, around.disk);
   if (!program) return std::unexpected(program.error());
   if (arguments.simulate) return simulated(std::move(*program), arguments.mainSkill);

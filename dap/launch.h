@@ -28,6 +28,7 @@ struct LaunchContext {
   const std::vector<std::string>& worker; ///< the command that runs `lsp::runVerifyWorker`
   rpc::Cancellation cancellation;
   std::function<void(const worker::WorkerProgress&)> progress;
+  std::function<void(const std::string&)> note; ///< shows the user a message
 };
 
 /// Creates the source of a session's steps: a trace file, a simulation, or the verification of a

@@ -50,10 +50,12 @@ Adapter::Answer Adapter::launch(const Json& arguments) {
   if (verifies && showsProgress)
     event("progressStart", {{"progressId", "verify"}, {"title", what}, {"cancellable", false}});
   auto source = openSource(
-      launched, {disk, options.worker, cancellation, [&](const auto& now) {
+      launched, {disk, options.worker, cancellation,
+                 [&](const auto& now) {
                    if (!showsProgress) return console(wordsOf(now));
                    event("progressUpdate", {{"progressId", "verify"}, {"message", wordsOf(now)}});
-                 }});
+                 },
+                 [this](const std::string& text) { console(text); }});
   if (verifies && showsProgress) event("progressEnd", {{"progressId", "verify"}});
   if (!source) return std::unexpected(source.error());
   player = std::make_unique<Player>(std::move(*source));

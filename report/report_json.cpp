@@ -1,6 +1,7 @@
 #include "report/report_json.h"
 
 #include "report/original_json.h"
+#include "report/sources.h"
 #include "syntax/text/position.h"
 
 namespace proskill::report {
@@ -92,6 +93,7 @@ OrderedJson reportHeadJson(const VerifyReport& report) {
   OrderedJson json{
       {"version", 1},
       {"program", report.program.files.front().path.string()},
+      {"sources", sourcesJson(report.program)},
       {"main", report.mainSkill.empty() ? OrderedJson() : OrderedJson(report.mainSkill)},
       {"unit", secondsJson(report.model.unit)}};
   if (!report.backend.empty()) json["backend"] = report.backend;

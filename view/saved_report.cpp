@@ -1,6 +1,7 @@
 #include "disk/disk.h"
 #include "report/ordered_json.h"
 #include "report/run/read_recording.h"
+#include "report/sources.h"
 #include "view/panel_data.h"
 
 #include <algorithm>
@@ -124,7 +125,17 @@ private:
                       {"description", property.value("description", name)},
                       {"verdict", property["verdict"]}};
     about.update(trace);
+    if (isOfOlderTexts(trace)) about["stale"] = true;
     return std::optional<OrderedJson>(std::in_place, std::move(about));
+  }
+
+  /// Whether a text has changed since the trace was made, or the report that it is of.
+  [[nodiscard]] bool isOfOlderTexts(const OrderedJson& trace) const {
+    const auto textOf = [](const std::string& path) -> std::optional<std::string> {
+      auto text = disk::DiskFileSystem().read(path);
+      return text ? std::optional(std::move(*text)) : std::nullopt;
+    };
+    return !report::editedSources(trace.contains("sources") ? trace : report, textOf).empty();
   }
 
   bool isOfTrace(const std::string& uri) {

@@ -189,6 +189,7 @@ Answer notDecided(const Request& /*request*/) {
 const std::map<std::string, Handler, std::less<>>& handlers() {
   static const std::map<std::string, Handler, std::less<>> kHandlers{
       {"proskill/automaton", noProgram},
+      {"proskill/edited", nullptr},
       {"proskill/explain", noProgram},
       {"proskill/indent", nothing},
       {"proskill/model", noProgram},

@@ -1,11 +1,14 @@
+#include "disk/disk.h"
 #include "disk/large_file.h"
 #include "lsp/protocol/convert.h"
 #include "lsp/protocol/registry.h"
 #include "report/run/recording_part.h"
+#include "report/sources.h"
 
 #include <fmt/format.h>
 
 /// `proskill/recording`: a part of a recorded run, for clients that cannot read MCAP.
+/// `proskill/edited`: whether a trace is about the texts that the editor has.
 namespace proskill::lsp {
 
 namespace {
@@ -36,8 +39,29 @@ Answer answerRecording(const Request& request) {
               {"whole", read->isWhole}};
 }
 
+/// The editor's text, otherwise the file's, even if it has changed a moment ago.
+std::optional<std::string> presentText(const ide::Snapshot& snapshot,
+                                       const std::filesystem::path& path) {
+  const bool isOpen = snapshot.open().contains(snapshot.nameOf(path));
+  auto text = isOpen ? snapshot.textOf(path) : disk::DiskFileSystem().read(path);
+  return text ? std::optional(std::move(*text)) : std::nullopt;
+}
+
+Answer answerEdited(const Request& request) {
+  const auto sources = rpc::memberAt(request.params, {"sources"});
+  if (!sources.is_object())
+    return std::unexpected(rpc::RpcError{rpc::ErrorCode::InvalidParams, "`sources` is missing"});
+  const OrderedJson trace{{"sources", sources}};
+  return Json{{"edited", report::editedSources(trace, [&](const std::string& uri) {
+                 return presentText(request.snapshot, pathOf(uri));
+               })}};
+}
+
 } // namespace
 
-void addRecording(Registry& registry) { registry.add("proskill/recording", answerRecording); }
+void addRecording(Registry& registry) {
+  registry.add("proskill/recording", answerRecording);
+  registry.add("proskill/edited", answerEdited);
+}
 
 } // namespace proskill::lsp

@@ -87,7 +87,10 @@ export interface Trace {
   actors?: Actor[];
   /** The steps from this one on are repeated for ever. */
   loop?: number | null;
+  /** It is about older texts. */
   stale?: boolean;
+  /** The digests of the texts that it is about, by file. */
+  sources?: { [file: string]: string };
   /** of a longer recording: which part it is */
   part?: PartOfRun;
 }

@@ -2,6 +2,7 @@
 
 #include "report/report_json.h"
 #include "report/run/run_lines.h"
+#include "report/sources.h"
 #include "runtime/executor/description.h"
 
 namespace proskill::report {
@@ -66,6 +67,7 @@ OrderedJson runHeadJson(RunSubject subject) {
                                        (main.empty() ? "a library of skills" : "`" + main + "`")},
                    {"verdict", "recorded"},
                    {"program", subject.program.files.front().path.generic_string()},
+                   {"sources", sourcesJson(subject.program)},
                    {"main", main},
                    {"environment", subject.executable.model.hasEnvironment}};
   json["initial"] = OrderedJson::object();

@@ -1,5 +1,6 @@
 #include "tests/dap/client.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "tests/where.h"
@@ -65,6 +66,13 @@ Json DapClient::answer(int sequence) {
 Json DapClient::event(const std::string& name) {
   return waitFor([&](const Json& it) { return it["type"] == "event" && it["event"] == name; },
                  "event " + name)["body"];
+}
+
+bool DapClient::said(std::string_view words) const {
+  return std::ranges::any_of(messages, [&](const Json& it) {
+    return it["type"] == "event" && it["event"] == "output" &&
+           it["body"]["output"].get<std::string>().contains(words);
+  });
 }
 
 std::string DapClient::ending() {

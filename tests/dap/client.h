@@ -26,6 +26,8 @@ public:
   Json answer(int sequence);
   /// The body of the next event with this name.
   Json event(const std::string& name);
+  /// Whether the console has shown these words before the last answer.
+  [[nodiscard]] bool said(std::string_view words) const;
   /// Waits for the end of the output. Returns how the adapter ended.
   std::string ending();
   [[nodiscard]] int process() const { return child.id(); }

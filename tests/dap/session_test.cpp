@@ -153,6 +153,28 @@ TEST_CASE("a trace that was saved is replayed from its file") {
   }
 }
 
+TEST_CASE("whoever replays a trace hears which files have been edited since") {
+  Files files;
+  const auto saved = files.directory.path("traces");
+  const auto json = test::run(
+      {PROSKILL_PROGRAM, "verify", files.program, "--save-traces", saved, "--format", "json"});
+  const auto report = files.directory.write("report.json", json.out);
+  const auto recording = files.directory.path("run.mcap");
+  CHECK(test::run({PROSKILL_PROGRAM, "run", "--record", recording, files.program}).exitCode < 2);
+  const auto isSaid = [&](const Json& launch) {
+    DapClient client;
+    client.start(launch);
+    client.result("threads"); // after what is said at the start
+    return client.said("has been edited since this trace was made");
+  };
+  const std::vector<Json> launches{{{"trace", saved + "/" + kProperty + ".json"}},
+                                   {{"trace", report}, {"property", kProperty}},
+                                   {{"trace", recording}}};
+  for (const auto& launch : launches) CHECK_FALSE(isSaid(launch));
+  std::ofstream(files.program, std::ios::app) << "; a comment\n";
+  for (const auto& launch : launches) CHECK(isSaid(launch));
+}
+
 TEST_CASE("a recording is stepped through, forth and back, from any time on") {
   Files files;
   const auto endless = files.directory.write(

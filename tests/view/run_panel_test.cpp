@@ -1,7 +1,9 @@
 #include "view/run_panel.h"
 
 #include "report/run/run_report.h"
+#include "report/sources.h"
 #include "runtime/platform/simulated.h"
+#include "tests/support/run.h"
 #include "tests/support/texts.h"
 #include "view/panel_data.h"
 #include "view/panel_routes.h"
@@ -91,6 +93,28 @@ TEST_CASE("a recording that was cut off within a write is shown up to its last s
     CHECK((*data)->program()["properties"][0]["steps"] == 2);
   }
   CHECK_FALSE(view::savedReport("run.json", whole.substr(0, head.size() / 2)));
+}
+
+TEST_CASE("a saved trace is for an older text once a file of its program is edited") {
+  const test::TemporaryDirectory directory;
+  const auto file = directory.write("drive.proskill", "(defskill drive)");
+  const auto verdict = [&](const OrderedJson& sources, bool inReport) {
+    OrderedJson trace{{"initial", OrderedJson::object()}, {"steps", OrderedJson::array()}};
+    if (!inReport) trace["sources"] = sources;
+    const OrderedJson property{{"name", "p"}, {"verdict", "violated"}, {"trace", trace}};
+    OrderedJson report{{"properties", OrderedJson::array({property})}};
+    if (inReport) report["sources"] = sources;
+    const auto data = view::savedReport("report.json", report.dump());
+    REQUIRE(data);
+    return (*data)->trace("p")->value("stale", false);
+  };
+  const OrderedJson same{{file, report::sourceDigest("(defskill drive)")}};
+  const OrderedJson other{{file, report::sourceDigest("(defskill  drive)")}};
+  for (const bool inReport : {false, true}) {
+    CHECK_FALSE(verdict(same, inReport));
+    CHECK(verdict(other, inReport));
+    CHECK_FALSE(verdict(OrderedJson(), inReport)); // of an older `proskill`
+  }
 }
 
 TEST_CASE("a page gets the steps of a run in parts, and its end") {

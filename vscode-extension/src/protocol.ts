@@ -118,6 +118,7 @@ export interface Recording {
   whole: boolean;
 }
 export const recording = new RequestType<{ uri: string; from?: number }, Recording, void>('proskill/recording');
+export const edited = new RequestType<{ sources: { [uri: string]: string } }, { edited: string[] }, void>('proskill/edited');
 export const simulate = new RequestType<
   { textDocument: TextDocumentIdentifier } & panel.ChosenRun, panel.Simulation, void>('proskill/simulate');
 export const explain = new RequestType<

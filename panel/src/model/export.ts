@@ -3,7 +3,7 @@ import { isRelevant, marksRelevance } from './filter.ts';
 import { windowOf } from './time.ts';
 
 /** The form that `open` reads. A part of a recording becomes a trace of its own, since the recording may be elsewhere. */
-export function traceJson({ part: _, ...trace }: Trace): string {
+export function traceJson({ part: _, stale: __, ...trace }: Trace): string {
   return JSON.stringify({ version: 1, ...trace }, null, 2) + '\n';
 }
 

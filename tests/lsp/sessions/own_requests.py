@@ -85,6 +85,18 @@ def recordings(client, types):
             assert steps[-1]['date']['seconds'] == part['end']
         assert first['begin'] == 0 and last['end'] == last['length']
         assert client.error('proskill/recording', {'uri': program.as_uri()}) == -32803  # it is not one
+        sources = {program.as_uri(): digest for digest in json.loads(last['trace'])['sources'].values()}
+        assert edited(client, types, sources) == []
+        program.write_text('(defskill m :body ((while true (^ 2))))')
+        assert edited(client, types, sources) == [program.as_uri()]
+    assert edited(client, types, sources) == []  # the file is gone
+    assert client.error('proskill/edited', {'sources': []}) == -32602
+
+
+def edited(client, types, sources):
+    result = client.result('proskill/edited', {'sources': sources})
+    types.check(result, 'Edited')
+    return result['edited']
 
 
 def verdicts(client, types, uri):

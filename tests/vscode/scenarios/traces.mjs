@@ -1,6 +1,6 @@
 // What can be done with traces: from a lens, filtered, pinned, compared, saved, opened again.
 import { execFileSync, spawnSync } from 'node:child_process';
-import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { equal, expect } from '../expect.mjs';
 import { choose, openFromFile, saved } from '../panel.mjs';
@@ -162,7 +162,16 @@ export const scenarios = {
     await frame.locator('#step-0.current').waitFor();
     await expect('the text of the first step, beside it', async () => (await editor.markedLines('drone.proskill')).length > 0);
     await editor.picture('recordings-short');
+    equal('a recording of this text', await frame.locator('.stale-mark').isVisible(), false);
     await editor.closeAll();
+    const text = readFileSync(join(root, kDrone), 'utf8');
+    writeFileSync(join(root, kDrone), `; tomorrow\n${text}`);
+    await openFromFile({ editor, root }, 'short.mcap');
+    frame = await editor.panel('.trace-view');
+    await expect('that the text is another one now', () => frame.locator('.stale-mark').isVisible());
+    await editor.picture('recordings-older');
+    await editor.closeAll();
+    writeFileSync(join(root, kDrone), text);
     await openFromFile({ editor, root }, 'long.mcap');
     frame = await editor.panel('.trace-view');
     await frame.locator('.row.step').first().waitFor();

@@ -21,7 +21,7 @@ export async function readTrace(client: Client, file: vscode.Uri, name?: string,
   if (isRecording(file)) return readPart(client, file, from);
   const traces = tracesIn(file, Buffer.from(await vscode.workspace.fs.readFile(file)).toString('utf8'));
   const trace = traces.length === 1 ? traces[0] : (traces.find((it) => it.name === name) ?? (await choose(traces)));
-  return trace && placed(trace, file);
+  return trace && placed(client, trace, file);
 }
 
 /** A recording in MCAP, which the server reads: it may have any size. */
@@ -32,7 +32,7 @@ export function isRecording(file: vscode.Uri): boolean {
 /** Of a long recording a part, from a time in seconds on; by default the last one. */
 export async function readPart(client: Client, file: vscode.Uri, from?: number): Promise<Read> {
   const { trace } = await client.ask(protocol.recording, { uri: file.toString(), ...(from !== undefined && { from }) });
-  return placed(tracesIn(file, trace)[0]!, file);
+  return placed(client, tracesIn(file, trace)[0]!, file);
 }
 
 /** At least one. */
@@ -48,9 +48,11 @@ function tracesIn(file: vscode.Uri, text: string): panel.Trace[] {
   return traces;
 }
 
-/** With the places of its steps as URIs. */
-function placed(trace: panel.Trace, file: vscode.Uri): Read {
+/** With the places of its steps as URIs. If one of its texts has been edited since, it is outdated. */
+async function placed(client: Client, trace: panel.Trace, file: vscode.Uri): Promise<Read> {
   for (const step of trace.steps) if (step.location) step.location.uri = uriOf(step.location.uri, file).toString();
+  const sources = Object.entries(trace.sources ?? {}).map(([path, digest]) => [uriOf(path, file).toString(), digest]);
+  if (sources.length) trace.stale = (await client.ask(protocol.edited, { sources: Object.fromEntries(sources) })).edited.length > 0;
   const first = trace.steps.find(({ location }) => location)?.location;
   return { trace, program: first ? vscode.Uri.parse(first.uri) : currentText().uri };
 }

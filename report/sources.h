@@ -1,0 +1,30 @@
+#pragma once
+
+#include "analysis/program/program.h"
+#include "report/ordered_json.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Which texts a trace is about: its places are lines of these, and may be wrong in later ones.
+namespace proskill::report {
+
+/// The digest of the text of a file, whether or not it begins with a byte order mark.
+[[nodiscard]] std::string sourceDigest(std::string_view text);
+
+/// The member `sources` of traces and reports: the digest of each file of the program.
+[[nodiscard]] OrderedJson sourcesJson(const analysis::Program& program);
+
+/// The present text of a file; nothing if it cannot be read.
+using TextOfFile = std::function<std::optional<std::string>(const std::string& file)>;
+
+/// The files whose texts have changed since a trace was made. Older traces do not say which texts
+/// they are about, and files that cannot be read have not changed.
+/// \param trace a trace or a report, well-formed or not
+[[nodiscard]] std::vector<std::string> editedSources(const OrderedJson& trace,
+                                                     const TextOfFile& textOf);
+
+} // namespace proskill::report
