@@ -55,8 +55,21 @@ std::string wordsOf(const std::string& verdict) {
   return verdict == "holds" ? verdict : "is " + verdict;
 }
 
+/// \param json a trace, or a property with a trace
+/// \param base directory for its relative paths
+Source replay(const OrderedJson& json, const OrderedJson& trace, const std::filesystem::path& base,
+              const LaunchContext& around) {
+  auto read = readTrace(json, base);
+  if (!read) return std::unexpected(read.error());
+  const auto textOf = [&](const std::string& file) { return around.disk.read(below(base, file)); };
+  for (const auto& file : report::editedSources(trace, textOf))
+    around.note(
+        fmt::format("{} has been edited since this trace was made: its lines may be others", file));
+  return recorded(std::move(*read));
+}
+
 Source sourceIn(const OrderedJson& report, const std::string& wanted,
-                const std::filesystem::path& base) {
+                const std::filesystem::path& base, const LaunchContext& around) {
   try {
     auto property = chosen(report, wanted);
     if (!property) return std::unexpected(property.error());
@@ -65,9 +78,7 @@ Source sourceIn(const OrderedJson& report, const std::string& wanted,
       return std::unexpected(fmt::format("`{}` {}: there is no trace to replay",
                                          json.at("name").get<std::string>(),
                                          wordsOf(json.at("verdict").get<std::string>())));
-    auto trace = readTrace(json, base);
-    if (!trace) return std::unexpected(trace.error());
-    return recorded(std::move(*trace));
+    return replay(json, json.at("trace"), base, around);
   } catch (const OrderedJson::exception& error) {
     return std::unexpected(fmt::format("not a report of a verification: {}", error.what()));
   }
@@ -89,18 +100,6 @@ std::expected<std::string, std::string> textOf(const LaunchArguments& arguments,
   return std::move(part->text);
 }
 
-/// Says which files have been edited since a trace was made: its places may be wrong in them.
-void noteEdited(const OrderedJson& json, const LaunchArguments& arguments,
-                const LaunchContext& around) {
-  const auto textOf = [&](const std::string& file) -> std::optional<std::string> {
-    auto text = around.disk.read(below(arguments.directory, file));
-    return text ? std::optional(std::move(*text)) : std::nullopt;
-  };
-  for (const auto& file : report::editedSources(json, textOf))
-    around.note(
-        fmt::format("{} has been edited since this trace was made: its lines may be others", file));
-}
-
 /// Reads a single trace, or a report with many.
 Source fromFile(const LaunchArguments& arguments, const LaunchContext& around) {
   auto text = textOf(arguments, around.disk);
@@ -111,11 +110,9 @@ Source fromFile(const LaunchArguments& arguments, const LaunchContext& around) {
   if (json.is_discarded()) json = parsedJson(report::completed(*text));
   if (!json.is_object())
     return std::unexpected(fmt::format("`{}` is not valid JSON", arguments.trace.string()));
-  noteEdited(json, arguments, around);
-  if (json.contains("properties")) return sourceIn(json, arguments.property, arguments.directory);
-  auto trace = readTrace(json, arguments.directory);
-  if (!trace) return std::unexpected(trace.error());
-  return recorded(std::move(*trace));
+  if (json.contains("properties"))
+    return sourceIn(json, arguments.property, arguments.directory, around);
+  return replay(json, json, arguments.directory, around);
 }
 
 std::expected<analysis::Program, std::string> programOf(const LaunchArguments& arguments,
@@ -168,7 +165,7 @@ Source openSource(const LaunchArguments& arguments, const LaunchContext& around)
   job.budget = arguments.budget;
   auto report = worker::runWorker(around.worker, job, around.cancellation, around.progress);
   if (!report) return std::unexpected(report.error().message);
-  return sourceIn(*report, arguments.property, {});
+  return sourceIn(*report, arguments.property, {}, around);
 }
 
 } // namespace proskill::dap

@@ -1,7 +1,6 @@
 #include "report/report_json.h"
 
 #include "report/original_json.h"
-#include "report/sources.h"
 #include "syntax/text/position.h"
 
 namespace proskill::report {
@@ -93,7 +92,6 @@ OrderedJson reportHeadJson(const VerifyReport& report) {
   OrderedJson json{
       {"version", 1},
       {"program", report.program.files.front().path.string()},
-      {"sources", sourcesJson(report.program)},
       {"main", report.mainSkill.empty() ? OrderedJson() : OrderedJson(report.mainSkill)},
       {"unit", secondsJson(report.model.unit)}};
   if (!report.backend.empty()) json["backend"] = report.backend;

@@ -40,7 +40,8 @@ struct VerifyReport {
 [[nodiscard]] OrderedJson stepJson(const analysis::Program& program, const ide::TraceStep& step);
 [[nodiscard]] OrderedJson traceJson(const analysis::Program& program, const ide::Trace& trace);
 /// The same with an empty list of steps.
-[[nodiscard]] OrderedJson traceJsonWithoutSteps(const ide::Trace& trace);
+[[nodiscard]] OrderedJson traceJsonWithoutSteps(const analysis::Program& program,
+                                                const ide::Trace& trace);
 [[nodiscard]] OrderedJson explorationJson(const verify::Exploration& exploration);
 [[nodiscard]] OrderedJson durationsJson(const std::vector<ide::SkillDuration>& durations);
 

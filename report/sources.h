@@ -3,8 +3,8 @@
 #include "analysis/program/program.h"
 #include "report/ordered_json.h"
 
+#include <expected>
 #include <functional>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,15 +15,15 @@ namespace proskill::report {
 /// The digest of the text of a file, whether or not it begins with a byte order mark.
 [[nodiscard]] std::string sourceDigest(std::string_view text);
 
-/// The member `sources` of traces and reports: the digest of each file of the program.
+/// The member `sources` of traces: the digest of each file of the program.
 [[nodiscard]] OrderedJson sourcesJson(const analysis::Program& program);
 
-/// The present text of a file; nothing if it cannot be read.
-using TextOfFile = std::function<std::optional<std::string>(const std::string& file)>;
+/// The present text of a file, or why it cannot be read.
+using TextOfFile = std::function<std::expected<std::string, std::string>(const std::string& file)>;
 
 /// The files whose texts have changed since a trace was made. Older traces do not say which texts
 /// they are about, and files that cannot be read have not changed.
-/// \param trace a trace or a report, well-formed or not
+/// \param trace well-formed or not
 [[nodiscard]] std::vector<std::string> editedSources(const OrderedJson& trace,
                                                      const TextOfFile& textOf);
 

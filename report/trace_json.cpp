@@ -1,4 +1,5 @@
 #include "report/report_json.h"
+#include "report/sources.h"
 
 #include "syntax/text/position.h"
 
@@ -56,16 +57,18 @@ OrderedJson stepJson(const analysis::Program& program, const ide::TraceStep& ste
 }
 
 OrderedJson traceJson(const analysis::Program& program, const ide::Trace& trace) {
-  OrderedJson made = traceJsonWithoutSteps(trace);
+  OrderedJson made = traceJsonWithoutSteps(program, trace);
   for (const auto& step : trace.steps) made["steps"].push_back(stepJson(program, step));
   return made;
 }
 
-OrderedJson traceJsonWithoutSteps(const ide::Trace& trace) {
+OrderedJson traceJsonWithoutSteps(const analysis::Program& program, const ide::Trace& trace) {
   OrderedJson initial = OrderedJson::object();
   for (const auto& variable : trace.initial) initial[variable.variable] = variable.after;
-  OrderedJson made{
-      {"summary", trace.summary}, {"initial", initial}, {"steps", OrderedJson::array()}};
+  OrderedJson made{{"summary", trace.summary},
+                   {"sources", sourcesJson(program)},
+                   {"initial", initial},
+                   {"steps", OrderedJson::array()}};
   if (trace.loop) made["loop"] = *trace.loop;
   if (trace.end) made["end"] = secondsJson(*trace.end);
   return made;

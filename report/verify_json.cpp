@@ -44,7 +44,7 @@ void writeObject(std::ostream& out, const OrderedJson& json, const std::string& 
 }
 
 void writeTraceJson(std::ostream& out, const analysis::Program& program, const ide::Trace& trace) {
-  writeObject(out, traceJsonWithoutSteps(trace), "      ", [&](std::string_view key) {
+  writeObject(out, traceJsonWithoutSteps(program, trace), "      ", [&](std::string_view key) {
     if (key != "steps") return false;
     writeList(out, trace.steps, "        ", [&](const ide::TraceStep& step) {
       writeIndented(out, stepJson(program, step), "          ");

@@ -125,17 +125,9 @@ private:
                       {"description", property.value("description", name)},
                       {"verdict", property["verdict"]}};
     about.update(trace);
-    if (isOfOlderTexts(trace)) about["stale"] = true;
+    const auto textOf = [](const std::string& path) { return disk::DiskFileSystem().read(path); };
+    if (!report::editedSources(trace, textOf).empty()) about["stale"] = true;
     return std::optional<OrderedJson>(std::in_place, std::move(about));
-  }
-
-  /// Whether a text has changed since the trace was made, or the report that it is of.
-  [[nodiscard]] bool isOfOlderTexts(const OrderedJson& trace) const {
-    const auto textOf = [](const std::string& path) -> std::optional<std::string> {
-      auto text = disk::DiskFileSystem().read(path);
-      return text ? std::optional(std::move(*text)) : std::nullopt;
-    };
-    return !report::editedSources(trace.contains("sources") ? trace : report, textOf).empty();
   }
 
   bool isOfTrace(const std::string& uri) {

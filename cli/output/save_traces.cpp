@@ -1,7 +1,6 @@
 #include "cli/output/save_traces.h"
 
 #include "disk/output.h"
-#include "report/sources.h"
 #include "report/verify_report.h"
 
 #include <fmt/format.h>
@@ -15,8 +14,7 @@ namespace {
 std::string json(const report::VerifyReport& report, const ide::VerdictRow& row) {
   OrderedJson trace{{"name", row.check->name},
                     {"description", row.check->description},
-                    {"verdict", ide::toString(row.verdict)},
-                    {"sources", report::sourcesJson(report.program)}};
+                    {"verdict", ide::toString(row.verdict)}};
   trace.update(report::traceJson(report.program, *row.trace));
   return trace.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }

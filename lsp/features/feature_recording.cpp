@@ -40,11 +40,10 @@ Answer answerRecording(const Request& request) {
 }
 
 /// The editor's text, otherwise the file's, even if it has changed a moment ago.
-std::optional<std::string> presentText(const ide::Snapshot& snapshot,
-                                       const std::filesystem::path& path) {
+std::expected<std::string, std::string> presentText(const ide::Snapshot& snapshot,
+                                                    const std::filesystem::path& path) {
   const bool isOpen = snapshot.open().contains(snapshot.nameOf(path));
-  auto text = isOpen ? snapshot.textOf(path) : disk::DiskFileSystem().read(path);
-  return text ? std::optional(std::move(*text)) : std::nullopt;
+  return isOpen ? snapshot.textOf(path) : disk::DiskFileSystem().read(path);
 }
 
 Answer answerEdited(const Request& request) {

@@ -13,9 +13,11 @@ using Names = std::vector<std::string>;
 
 /// The files that have changed since a trace of a program was made.
 Names edited(const OrderedJson& trace, const std::map<std::string, std::string>& now) {
-  return report::editedSources(trace, [&](const std::string& file) {
+  using Text = std::expected<std::string, std::string>;
+  return report::editedSources(trace, [&](const std::string& file) -> Text {
     const auto found = now.find(file);
-    return found == now.end() ? std::nullopt : std::optional(found->second);
+    if (found == now.end()) return std::unexpected("there is no such file");
+    return found->second;
   });
 }
 

@@ -98,22 +98,21 @@ TEST_CASE("a recording that was cut off within a write is shown up to its last s
 TEST_CASE("a saved trace is for an older text once a file of its program is edited") {
   const test::TemporaryDirectory directory;
   const auto file = directory.write("drive.proskill", "(defskill drive)");
-  const auto verdict = [&](const OrderedJson& sources, bool inReport) {
-    OrderedJson trace{{"initial", OrderedJson::object()}, {"steps", OrderedJson::array()}};
-    if (!inReport) trace["sources"] = sources;
+  const auto isOlder = [&](const OrderedJson& sources, bool isInReport) {
+    const OrderedJson trace{{"name", "p"},
+                            {"sources", sources},
+                            {"initial", OrderedJson::object()},
+                            {"steps", OrderedJson::array()}};
     const OrderedJson property{{"name", "p"}, {"verdict", "violated"}, {"trace", trace}};
-    OrderedJson report{{"properties", OrderedJson::array({property})}};
-    if (inReport) report["sources"] = sources;
-    const auto data = view::savedReport("report.json", report.dump());
+    const OrderedJson report{{"properties", OrderedJson::array({property})}};
+    const auto data = view::savedReport("saved.json", (isInReport ? report : trace).dump());
     REQUIRE(data);
     return (*data)->trace("p")->value("stale", false);
   };
-  const OrderedJson same{{file, report::sourceDigest("(defskill drive)")}};
-  const OrderedJson other{{file, report::sourceDigest("(defskill  drive)")}};
-  for (const bool inReport : {false, true}) {
-    CHECK_FALSE(verdict(same, inReport));
-    CHECK(verdict(other, inReport));
-    CHECK_FALSE(verdict(OrderedJson(), inReport)); // of an older `proskill`
+  for (const bool isInReport : {false, true}) {
+    CHECK_FALSE(isOlder({{file, report::sourceDigest("(defskill drive)")}}, isInReport));
+    CHECK(isOlder({{file, report::sourceDigest("(defskill  drive)")}}, isInReport));
+    CHECK_FALSE(isOlder(nullptr, isInReport)); // of an older `proskill`
   }
 }
 

@@ -31,7 +31,7 @@ export function stepOf(value: unknown, index: number): Step {
   } as unknown as Step;
 }
 
-export function traceOf(value: Json, about: Json = value, report: Json = value): Trace {
+export function traceOf(value: Json, about: Json = value): Trace {
   if (!Array.isArray(value['steps']) || !isObject(value['initial'])) throw new Error('it has no steps, or no initial values');
   const text = (key: string): string => (typeof about[key] === 'string' ? (about[key] as string) : '');
   const trace: Trace = {
@@ -44,8 +44,7 @@ export function traceOf(value: Json, about: Json = value, report: Json = value):
   if (Array.isArray(value['actors'])) trace.actors = value['actors'] as NonNullable<Trace['actors']>;
   if (typeof value['summary'] === 'string') trace.summary = value['summary'];
   if (typeof value['loop'] === 'number') trace.loop = value['loop'];
-  const sources = value['sources'] ?? report['sources'];
-  if (isObject(sources)) trace.sources = sources as NonNullable<Trace['sources']>;
+  if (isObject(value['sources'])) trace.sources = value['sources'] as NonNullable<Trace['sources']>;
   if (value['stale'] === true) trace.stale = true;
   if (isObject(value['part'])) trace.part = value['part'] as unknown as NonNullable<Trace['part']>;
   return trace;
@@ -70,7 +69,7 @@ function reportOf(report: Json): Opened {
   const properties = (report['properties'] as unknown[]).filter(isObject);
   const traces = properties
     .filter((property) => isObject(property['trace']))
-    .map((property) => traceOf(property['trace'] as Json, property, report));
+    .map((property) => traceOf(property['trace'] as Json, property));
   const name = String(report['program'] ?? '');
   const program: Program = {
     program: name,

@@ -125,6 +125,7 @@ export const scenarios = {
     let frame = await editor.panel('.trace-view');
     const name = `${failing}.json`;
     const json = JSON.parse((await saved(world, frame, 'Export', 'Trace as JSON', name)).toString());
+    equal('texts that the file is about', Object.keys(json.sources).length, 1);
     equal('steps in the file', json.steps.length, verified(world, kDrone, failing).trace.steps.length);
     equal('text', /start_drone/.test((await saved(world, frame, 'Export', 'Trace as text', `${failing}.txt`)).toString()), true);
     equal('SVG', /^<svg[^]*start_drone/.test((await saved(world, frame, 'Export', 'Lanes as SVG', `${failing}.svg`)).toString()), true);
