@@ -22,7 +22,7 @@ namespace proskill::report {
 using TextOfFile = std::function<std::expected<std::string, std::string>(const std::string& file)>;
 
 /// The files whose texts have changed since a trace was made. Older traces do not say which texts
-/// they are about, and files that cannot be read have not changed.
+/// they are about, and files that cannot be read have not changed. At most 1,000 files are read.
 /// \param trace well-formed or not
 [[nodiscard]] std::vector<std::string> editedSources(const OrderedJson& trace,
                                                      const TextOfFile& textOf);

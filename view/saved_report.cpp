@@ -77,7 +77,7 @@ public:
   Answer trace(const std::string& name) override {
     const auto found = traces.find(name);
     if (found == traces.end()) return std::unexpected("this property has no trace");
-    return found->second;
+    return compared(found->second);
   }
 
   Answer part(std::optional<double> from) override {
@@ -89,7 +89,7 @@ public:
     auto property = asReport(file, std::move(trace))["properties"][0];
     auto taken = takeTrace(property);
     if (!taken) return std::unexpected("this part has no steps");
-    return std::move(*taken);
+    return compared(std::move(*taken));
   }
 
   Answer picture(const PictureParams&) override {
@@ -113,6 +113,13 @@ public:
   [[nodiscard]] bool canVerify() const override { return false; }
 
 private:
+  /// The trace, which says if its texts have been edited since.
+  static OrderedJson compared(OrderedJson trace) {
+    const auto textOf = [](const std::string& path) { return disk::DiskFileSystem().read(path); };
+    if (!report::editedSources(trace, textOf).empty()) trace["stale"] = true;
+    return trace;
+  }
+
   /// Removes the trace from a property, if it has one.
   std::optional<OrderedJson> takeTrace(OrderedJson& property) {
     const auto trace = std::exchange(property["trace"], nullptr);
@@ -125,8 +132,6 @@ private:
                       {"description", property.value("description", name)},
                       {"verdict", property["verdict"]}};
     about.update(trace);
-    const auto textOf = [](const std::string& path) { return disk::DiskFileSystem().read(path); };
-    if (!report::editedSources(trace, textOf).empty()) about["stale"] = true;
     return std::optional<OrderedJson>(std::in_place, std::move(about));
   }
 
