@@ -8,7 +8,8 @@
 
 #include <array>
 
-using namespace proskill;
+namespace proskill::test::reuse_test {
+
 using analysis::Analysis;
 using analysis::Program;
 using syntax::Document;
@@ -318,3 +319,5 @@ TEST_CASE("a comment in a state variable does not matter to the edit that allows
   CHECK(countsOf(text, " ; of the hall").flows == 1);
   CHECK(countsOf(text, "\n").flows == 1);
 }
+
+} // namespace proskill::test::reuse_test

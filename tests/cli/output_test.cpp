@@ -10,6 +10,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+namespace proskill::test::output_test {
+
 using proskill::test::Finished;
 using proskill::test::run;
 using proskill::test::TemporaryDirectory;
@@ -266,3 +268,5 @@ TEST_CASE("an output that is a link to itself is refused, and stays") {
   CHECK(fs::is_symlink(link));
   CHECK(filesIn(files.path()) == 1);
 }
+
+} // namespace proskill::test::output_test

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+namespace proskill::test::usage_test {
+
 using proskill::test::run;
 
 namespace {
@@ -78,3 +80,5 @@ TEST_CASE("a memory limit beyond what bytes can be counted is no limit") {
   CHECK(done.out.find("memory limit") == std::string::npos);
   CHECK(done.exitCode == 1); // as without a limit: a property is violated
 }
+
+} // namespace proskill::test::usage_test

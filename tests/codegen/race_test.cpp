@@ -2,7 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-using namespace proskill;
+namespace proskill::test::race_test {
+
 using codegen::Edition;
 
 namespace {
@@ -95,3 +96,5 @@ TEST_CASE("races within races and within loops stop all that is within them") {
   CHECK(found.at("mission.no_undershoot") == "holds");
   CHECK(found.at("mission.no_overshoot") == "holds");
 }
+
+} // namespace proskill::test::race_test

@@ -2,7 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-using namespace proskill;
+namespace proskill::test::settled_meanings_test {
+
 using codegen::Edition;
 
 namespace {
@@ -305,3 +306,5 @@ TEST_CASE("behind the statements of a timeout the body goes on as behind the wai
     (defproperty in_a_second (present (ended mission success) :within [1,1])))");
   CHECK(found.at("in_a_second") == "holds");
 }
+
+} // namespace proskill::test::settled_meanings_test

@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-using namespace proskill;
+namespace proskill::test::rounds_test {
 
 namespace {
 
@@ -186,3 +186,5 @@ TEST_CASE("A wait that events with a period may not come to in time is not told"
   CHECK(told(timed, "(while true (^ (v Low) :timeout 1) (if (v Bad) break))").find("PS1008") ==
         std::string::npos);
 }
+
+} // namespace proskill::test::rounds_test

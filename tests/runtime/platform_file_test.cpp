@@ -8,7 +8,8 @@
 
 #include <fmt/format.h>
 
-using namespace proskill;
+namespace proskill::test::platform_file_test {
+
 using Catch::StartsWith;
 
 namespace {
@@ -187,3 +188,5 @@ TEST_CASE("a file that is nested too deep is refused") {
   CHECK_FALSE(runtime::readMessage(text));
   CHECK(runtime::parsedText("{\"a\": \"\\\"" + list + "\"}").is_object());
 }
+
+} // namespace proskill::test::platform_file_test

@@ -2,7 +2,8 @@
 
 #include <catch2/catch.hpp>
 
-using namespace proskill;
+namespace proskill::test::progress_test {
+
 using namespace proskill::test;
 
 namespace {
@@ -126,3 +127,5 @@ TEST_CASE("Whether a ring of urgent steps is left may depend on inputs that seve
   CHECK_FALSE(model({{3, is("w", 2)}, {5, isNot("w", 2)}}).isFalse(kProgress));
   CHECK_FALSE(model({{3, is("w", 2)}, {5, is("v", 1)}, {0, isNot("v", 1)}}).isFalse(kProgress));
 }
+
+} // namespace proskill::test::progress_test
