@@ -96,14 +96,14 @@ Tally compareAll(std::uint64_t first, std::uint64_t count, const test::ProgramSi
 } // namespace
 
 TEST_CASE("the engine's verdicts are those of an interpreter of programs") {
-  const auto tally = compareAll(0, 1500, {.properties = 4});
+  const auto tally = compareAll(0, 1200, {.properties = 4});
   CHECK(tally.tooLarge < tally.programs / 3);
   CHECK(tally.questions > tally.programs * 10);
   CHECK(tally.traces > tally.programs * 5);
 }
 
 TEST_CASE("so they are with several callers, resources and an environment") {
-  const auto tally = compareAll(1'000'000, 1000,
+  const auto tally = compareAll(1'000'000, 600,
                                 {.resources = 2,
                                  .basicSkills = 2,
                                  .composites = 2,

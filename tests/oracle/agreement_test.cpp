@@ -11,7 +11,7 @@ using namespace proskill;
 
 namespace {
 
-constexpr std::uint64_t kPrograms = 1800;
+constexpr std::uint64_t kPrograms = 1200;
 constexpr std::size_t kLimit = 1500; ///< nodes of a region graph
 
 using Setting = std::pair<std::string, verify::Options>;

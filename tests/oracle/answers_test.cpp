@@ -11,7 +11,7 @@ using namespace proskill;
 
 namespace {
 
-constexpr std::uint64_t kLargePrograms = 800;
+constexpr std::uint64_t kLargePrograms = 600;
 
 struct Questions {
   std::size_t programs = 0;

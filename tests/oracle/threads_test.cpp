@@ -48,7 +48,7 @@ std::uint64_t compare(const fiacre::Program& program, const fiacre::Provenance& 
 
 TEST_CASE("random models have the same answers, counts and traces for each number of threads") {
   std::uint64_t classes = 0;
-  const auto [first, end] = seedsOr(0, 300);
+  const auto [first, end] = seedsOr(0, 150);
   for (auto seed = first; seed < end; ++seed) {
     classes += compare(randomModel(seed), {}, seed);
     classes += compare(randomModelWithData(seed), {}, seed);
