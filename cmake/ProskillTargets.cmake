@@ -2,10 +2,8 @@
 
 find_program(PROSKILL_CCACHE ccache)
 if(PROSKILL_CCACHE)
-  # Without this, ccache does not cache objects compiled with a precompiled header.
-  set(launcher env CCACHE_SLOPPINESS=pch_defines,time_macros ${PROSKILL_CCACHE})
-  set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
+  set(CMAKE_C_COMPILER_LAUNCHER ${PROSKILL_CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${PROSKILL_CCACHE})
 endif()
 
 add_library(proskill_flags INTERFACE)
@@ -13,7 +11,7 @@ target_compile_options(proskill_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow=local -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor
   -Wold-style-cast -Woverloaded-virtual -Wno-missing-field-initializers -Werror)
 target_include_directories(proskill_flags INTERFACE ${CMAKE_SOURCE_DIR})
-# All objects fit into programs and into libproskill.so, so that nothing is compiled twice and each precompiled header serves all.
+# All objects fit into programs and into libproskill.so, so that nothing is compiled twice.
 # Functions are inlined as in programs.
 target_compile_options(proskill_flags INTERFACE -fPIC $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
 # The compiler collects its garbage less often: this saves a fourteenth of its time, and takes a seventh more memory.
@@ -31,26 +29,6 @@ if(PROSKILL_FUZZ)
   target_link_options(proskill_flags INTERFACE LINKER:--wrap=__sanitizer_cov_trace_pc)
 endif()
 
-# proskill_precompiled(NAME HEADERS <header>… DEPENDS target… [OPTIONS flag…]): headers that cost each file that reads
-# them up to two seconds, read once for all targets that `proskill_use_precompiled(TARGET NAME)`. The files still
-# include what they use: the preset `debug` builds without.
-function(proskill_precompiled name)
-  cmake_parse_arguments(ARG "" "" "HEADERS;DEPENDS;OPTIONS" ${ARGN})
-  set(source ${CMAKE_CURRENT_BINARY_DIR}/precompiled_${name}.cpp)
-  file(CONFIGURE OUTPUT ${source} CONTENT "// A library has a source.\n")
-  add_library(proskill_precompiled_${name} STATIC ${source})
-  target_link_libraries(proskill_precompiled_${name} PRIVATE ${ARG_DEPENDS} proskill_flags)
-  target_compile_options(proskill_precompiled_${name} PRIVATE ${ARG_OPTIONS})
-  target_precompile_headers(proskill_precompiled_${name} PRIVATE ${ARG_HEADERS})
-endfunction()
-
-function(proskill_use_precompiled target name)
-  target_precompile_headers(${target} REUSE_FROM proskill_precompiled_${name})
-  # GCC 12 reports false overruns of std::string in inlined code of precompiled headers (its bug 105651).
-  target_compile_options(${target} PRIVATE
-    -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread)
-endfunction()
-
 # proskill_apart(GROUP file…): these files are compiled as one, apart from the others of their folder, because their short names
 # would clash with those, or because a linker has to find them without the others.
 function(proskill_apart group)
@@ -58,8 +36,7 @@ function(proskill_apart group)
 endfunction()
 
 # proskill_embed_files(TARGET NAME HEADER h NAMESPACE n FILES file…): the bytes of these files as a source of the target (Embed.cmake). It is
-# written when CMake runs, because the objects of all targets that link this one would wait for a command of the build. Precompiled
-# headers would cost the source more than it takes.
+# written when CMake runs, because the objects of all targets that link this one would wait for a command of the build.
 function(proskill_embed_files target name)
   cmake_parse_arguments(ARG "" "HEADER;NAMESPACE" "FILES" ${ARGN})
   set(made ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
@@ -75,7 +52,7 @@ function(proskill_embed_files target name)
   endif()
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${ARG_FILES} ${script})
   target_sources(${target} PRIVATE ${made})
-  set_source_files_properties(${made} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
+  set_source_files_properties(${made} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
 # proskill_group(TARGET): the other files in groups of about the same size, in the order of their names. Most of the time of a
@@ -120,10 +97,10 @@ function(proskill_optimise_less target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# proskill_library(NAME [PRECOMPILED name] [SOURCES file…] [EXCEPT file…] DEPENDS target…): these files, or every *.cpp of the current
+# proskill_library(NAME [SOURCES file…] [EXCEPT file…] DEPENDS target…): these files, or every *.cpp of the current
 # folder and those below it except some, as target proskill_NAME.
 function(proskill_library name)
-  cmake_parse_arguments(ARG "" "PRECOMPILED" "SOURCES;EXCEPT;DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES;EXCEPT;DEPENDS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   list(TRANSFORM ARG_SOURCES PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
   list(TRANSFORM ARG_EXCEPT PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
@@ -139,10 +116,6 @@ function(proskill_library name)
   add_library(proskill_${name} STATIC ${sources})
   target_link_libraries(proskill_${name} PUBLIC ${ARG_DEPENDS} PRIVATE proskill_flags)
   target_include_directories(proskill_${name} PUBLIC ${CMAKE_SOURCE_DIR})
-  if(NOT ARG_PRECOMPILED)
-    set(ARG_PRECOMPILED std)
-  endif()
-  proskill_use_precompiled(proskill_${name} ${ARG_PRECOMPILED})
   cmake_language(EVAL CODE "cmake_language(DEFER CALL proskill_group proskill_${name})")
 endfunction()
 

@@ -133,7 +133,7 @@ def units():
     subprocess.run(["cmake", "--preset", "tidy"], cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
     commands = json.loads((BUILD / "compile_commands.json").read_text(encoding="utf-8"))
     found = [Unit.of(command) for command in commands
-             if not command["file"].endswith((".c", ".cxx_pch")) and pathlib.Path(command["file"]).is_file()]
+             if not command["file"].endswith(".c") and pathlib.Path(command["file"]).is_file()]
     return [unit for unit in found if unit.sources and not any(name.startswith(OTHERS) for name in unit.sources)]
 
 
