@@ -25,6 +25,7 @@ Explorer::Explorer(const System& of, const std::vector<Goal>& asked, const Reduc
       stored(of.storedWords),
       pathSteps(of, with, walker, expander) {
   result.goals.resize(asked.size());
+  if (system.clocks.empty()) graph.states.roots.forgetNumbers();
   work.keepsSteps = guide.plan != nullptr;
   open = static_cast<std::size_t>(std::ranges::count_if(asked, [](const Goal& goal) {
     return goal.kind != GoalKind::Unsupported && goal.kind != GoalKind::Run;

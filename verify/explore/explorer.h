@@ -68,6 +68,11 @@ public:
   void saveIfDue();
   [[nodiscard]] const ZoneGraph& explored() const { return graph; }
   [[nodiscard]] ZoneGraph& explored() { return graph; }
+  /// The same for who looks for numbers of states; see RootTable::forgetNumbers().
+  [[nodiscard]] ZoneGraph& exploredWithNumbers() {
+    graph.states.roots.learnNumbers();
+    return graph;
+  }
   /// The transitions from the initial state to a node, including the steps fired alone.
   [[nodiscard]] Steps pathTo(NodeIndex index) const;
 

@@ -93,7 +93,8 @@ ProgressProof::Outcome ProgressProof::explore(InstanceId instance, const Slice& 
   Bits own;
   for (TransitionId id = 0; id < slice.original.size(); ++id)
     if (repeating.contains(slice.original[id])) own.insert(id);
-  const StepCycles cycles(prepared.system, prepared.reductions, explorer.explored(), own, limits);
+  const StepCycles cycles(prepared.system, prepared.reductions, explorer.exploredWithNumbers(), own,
+                          limits);
   if (!cycles.areAll()) return Outcome::GaveUp;
   if (!cycles.moving().contains(instance)) {
     settleOthers(slice, cycles.moving());

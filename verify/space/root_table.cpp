@@ -11,11 +11,15 @@ namespace {
 constexpr std::size_t kFewestSlots = 256;
 constexpr std::uint32_t kAllotment = 32;
 constexpr std::size_t kNowhere = SIZE_MAX;
+constexpr std::uint64_t kSmallMatrix = 4096; ///< bytes that any table may take
 
 /// Whether a table with so many slots has to grow before another entry.
 bool isFull(std::size_t count, std::size_t slots) { return (count + 1) * 20 > slots * 17; }
 
 std::size_t grown(std::size_t slots) { return slots + slots / 5 * 2; }
+
+/// Slots of a table that was a matrix.
+std::size_t slotsFor(std::size_t entries) { return entries + entries / 3 * 2; }
 
 } // namespace
 
@@ -34,22 +38,29 @@ std::size_t RootTable::seek(const SoughtRoot& sought) const {
 }
 
 StateId RootTable::find(const SoughtRoot& root) const {
+  if (matrix) return matrix->contains(root.root) ? kStored : kNone;
   const Entry entry = load(seek(root)) & numberMask;
   return entry == 0 || entry > count ? kNone : entry - 1;
 }
 
 StateId RootTable::push(const Root& root) {
   roots.push(root);
-  return count++;
+  ++count;
+  if (matrix && matrix->hasRoomFor(root))
+    matrix->insert(root);
+  else if (matrix)
+    grow();
+  return count - 1;
 }
 
 RootTable::Added RootTable::add(const SoughtRoot& root) {
-  if (isFull(used(), slots.size())) grow();
+  if (!matrix && isFull(used(), slots.size())) grow();
+  if (matrix && matrix->contains(root.root)) return {kStored, false};
   const std::size_t at = seek(root);
   const Entry entry = slots[at] & numberMask;
-  if (entry > count) return settle(claimOf(entry));
+  if (entry > numbered()) return settle(claimOf(entry));
   if (entry != 0) return {entry - 1, false};
-  slots[at] = tagOf(root.hash) | (count + 1);
+  if (!matrix) slots[at] = tagOf(root.hash) | (count + 1);
   return {push(root.root), true};
 }
 
@@ -72,6 +83,7 @@ bool RootTable::reserveClaim(Allotment& own) {
 
 RootTable::Found RootTable::findOrClaim(const SoughtRoot& root, std::uint32_t claimant,
                                         Allotment& own) {
+  if (matrix && matrix->contains(root.root)) return {kStored, kNone, 0, false};
   const std::uint32_t tag = tagOf(root.hash);
   for (std::size_t at = slotOf(root.hash);; at = after(at)) {
     std::uint32_t value = load(at);
@@ -88,7 +100,7 @@ RootTable::Found RootTable::findOrClaim(const SoughtRoot& root, std::uint32_t cl
     }
     const Entry entry = value & numberMask;
     if ((value & ~numberMask) != tag || !holds(entry, root.root)) continue;
-    if (entry <= count) return {entry - 1, kNone, 0, false};
+    if (entry <= numbered()) return {entry - 1, kNone, 0, false};
     return {kNone, claimOf(entry), claims[claimOf(entry)].claimant, false};
   }
 }
@@ -97,8 +109,9 @@ RootTable::Added RootTable::settle(ClaimId claim) {
   Claim& it = claims[claim];
   if (it.id != kNone) return {it.id, false};
   ++settled;
-  it.id = push(it.root);
-  slots[it.slot] = (slots[it.slot] & ~numberMask) | (it.id + 1);
+  it.id = count;
+  if (!matrix) slots[it.slot] = (slots[it.slot] & ~numberMask) | (it.id + 1);
+  push(it.root);
   return {it.id, true};
 }
 
@@ -108,21 +121,52 @@ template <class Visit> void RootTable::eachOpenClaim(Visit visit) {
 }
 
 bool RootTable::prepareClaims(std::size_t most) {
+  if (matrix)
+    makeSlots(std::max(slots.size(), 2 * most));
+  else
+    endClaims();
+  allotted = 0;
+  settled = 0;
+  claims.resize(std::min(most, slots.size() / (matrix ? 2 : 10)) / kAllotment * kAllotment);
+  return !matrix && isFull(count + dead + claims.size(), slots.size());
+}
+
+void RootTable::endClaims() {
   eachOpenClaim([this](ClaimId claim) {
     slots[claims[claim].slot] |= numberMask;
     ++dead;
   });
-  allotted = 0;
-  settled = 0;
-  claims.resize(std::min(most, slots.size() / 10) / kAllotment * kAllotment);
-  return isFull(count + dead + claims.size(), slots.size());
+}
+
+/// Bytes of a matrix that has room for numbers which are greater by at most `more`.
+std::uint64_t RootTable::bytesOfNextMatrix(std::uint32_t more) const {
+  const Root greatest = roots.greatestNumbers();
+  const auto bitsWith = [](std::uint32_t bits, std::uint64_t number) {
+    return std::max(bits, static_cast<std::uint32_t>(std::bit_width(number)));
+  };
+  return RootMatrix::bytesFor(bitsWith(roots.leftWidth(), std::uint64_t{greatest.left} + more),
+                              bitsWith(roots.rightWidth(), std::uint64_t{greatest.right} + more));
+}
+
+/// Whether a matrix takes less memory than a table would.
+bool RootTable::isMatrixSmaller(std::uint64_t bytes) const {
+  return !knowsNumbers &&
+         bytes <= std::max<std::uint64_t>(kSmallMatrix, count * sizeof(std::uint32_t));
 }
 
 /// The old table is given back before the new one is made from the states.
 void RootTable::startGrowth() {
-  const std::size_t size = grown(slots.size());
+  const std::size_t size = std::max(grown(slots.size()), slotsFor(used()));
   release(slots);
-  slots.resize(size);
+  matrix.reset();
+  if (!isMatrixSmaller(bytesOfNextMatrix(0))) return makeSlots(size);
+  matrix.emplace(roots);
+  makeSlots(std::max(kFewestSlots, 2 * claims.size()));
+}
+
+/// Makes empty slots.
+void RootTable::makeSlots(std::size_t size) {
+  slots.assign(size, 0);
   numberMask = size >= std::size_t{1} << 31 ? UINT32_MAX
                                             : static_cast<std::uint32_t>(std::bit_ceil(size)) - 1;
   dead = 0;
@@ -139,6 +183,7 @@ void RootTable::grow() {
 /// Other threads fill slots, too, so the slots of the next few roots are loaded together.
 void RootTable::refill(std::size_t part, std::size_t parts) {
   constexpr std::size_t kTogether = 16;
+  if (matrix) return refillMatrix(part, parts);
   const std::size_t end = std::size_t{count} * (part + 1) / parts;
   std::array<std::uint64_t, kTogether> hashes{};
   for (std::size_t id = std::size_t{count} * part / parts; id < end; id += kTogether) {
@@ -151,6 +196,17 @@ void RootTable::refill(std::size_t part, std::size_t parts) {
   }
 }
 
+void RootTable::refillMatrix(std::size_t part, std::size_t parts) {
+  const std::size_t end = std::size_t{count} * (part + 1) / parts;
+  for (std::size_t id = std::size_t{count} * part / parts; id < end; ++id)
+    matrix->insert(at(static_cast<StateId>(id)));
+}
+
+void RootTable::learnNumbers() {
+  knowsNumbers = true;
+  if (matrix) grow();
+}
+
 std::size_t RootTable::put(std::uint64_t hash, Entry entry) {
   std::size_t at = slotOf(hash);
   while (fill(at, tagOf(hash) | entry) != 0) at = after(at);
@@ -159,8 +215,18 @@ std::size_t RootTable::put(std::uint64_t hash, Entry entry) {
 
 std::uint64_t RootTable::growth() const {
   const std::uint64_t ofRoots = roots.growth();
+  if (matrix) return ofRoots + growthOfMatrix();
   if (!isFull(used() + claims.size() + kBetweenGrowthChecks, slots.size())) return ofRoots;
   return ofRoots + (grown(slots.size()) - slots.size()) * sizeof(std::uint32_t);
+}
+
+/// Bytes that the next few insertions may add, also if the matrix becomes a table.
+std::uint64_t RootTable::growthOfMatrix() const {
+  const std::uint64_t next = bytesOfNextMatrix(kBetweenGrowthChecks);
+  if (next == matrix->bytes()) return 0;
+  const std::uint64_t needed =
+      isMatrixSmaller(next) ? next : slotsFor(used() + kBetweenGrowthChecks) * sizeof(Entry);
+  return needed - std::min(needed, matrix->bytes());
 }
 
 } // namespace proskill::verify

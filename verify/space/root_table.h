@@ -1,11 +1,12 @@
 #pragma once
 
-#include "verify/space/roots.h"
+#include "verify/space/root_matrix.h"
 #include "verify/state/store.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace proskill::verify {
@@ -27,9 +28,14 @@ struct SoughtRoot {
 /// Threads that search at once may *claim* roots that are not stored: a claim takes a place in the
 /// table but no number. Afterwards one thread settles the claims in the order that it wants the
 /// numbers to have, so that numbers do not depend on which thread was faster.
+///
+/// Who needs to know only whether a root is stored can do without numbers. Then a table becomes a
+/// matrix of bits while this takes less memory.
 class RootTable {
 public:
   using ClaimId = std::uint32_t;
+  /// Stands for the number of a root that is stored, and whose number the table does not know.
+  static constexpr StateId kStored = kNone - 1;
 
   struct Added {
     StateId id = 0;
@@ -50,16 +56,24 @@ public:
 
   RootTable();
 
+  /// From now on, kStored may stand for the number of a root that is looked for.
+  void forgetNumbers() { knowsNumbers = false; }
+  /// From now on, numbers are known again. \pre there are no claims
+  void learnNumbers();
+
   Added add(const SoughtRoot& root);
   /// The number of a root; kNone if it has none. Several threads may call this at once, also while
   /// others call findOrClaim().
   [[nodiscard]] StateId find(const SoughtRoot& root) const;
   [[nodiscard]] Root at(StateId id) const { return roots.at(id); }
   /// Asks the processor to load what the other functions will look at.
-  void prefetchSlot(const SoughtRoot& root) const { __builtin_prefetch(&slots[slotOf(root.hash)]); }
+  void prefetchSlot(const SoughtRoot& root) const {
+    if (matrix) return matrix->prefetch(root.root);
+    __builtin_prefetch(&slots[slotOf(root.hash)]);
+  }
   void prefetchState(const SoughtRoot& root) const {
     const Entry entry = load(slotOf(root.hash)) & numberMask;
-    if (entry - 1 >= count) return; // nothing, or a claim
+    if (entry - 1 >= numbered()) return; // nothing, or a claim
     roots.prefetch(entry - 1);
   }
 
@@ -82,8 +96,8 @@ public:
 
   [[nodiscard]] std::uint32_t size() const { return count; }
   [[nodiscard]] std::uint64_t bytes() const {
-    return slots.capacity() * sizeof(std::uint32_t) + roots.bytes() +
-           claims.capacity() * sizeof(Claim);
+    return slots.capacity() * sizeof(std::uint32_t) + (matrix ? matrix->bytes() : 0) +
+           roots.bytes() + claims.capacity() * sizeof(Claim);
   }
   /// Bytes that the next few insertions may allocate at once.
   [[nodiscard]] std::uint64_t growth() const;
@@ -117,9 +131,17 @@ private:
   [[nodiscard]] Entry entryOf(ClaimId claim) const { return numberMask - 1 - claim; }
   [[nodiscard]] ClaimId claimOf(Entry entry) const { return numberMask - 1 - entry; }
   [[nodiscard]] bool holds(Entry entry, const Root& root) const {
-    if (entry <= count) return roots.at(entry - 1) == root;
+    if (entry <= numbered()) return roots.at(entry - 1) == root;
     return entry != numberMask && claims[claimOf(entry)].root == root;
   }
+  /// Number of roots that have a slot, and not a bit of the matrix.
+  [[nodiscard]] std::uint32_t numbered() const { return matrix ? 0 : count; }
+  [[nodiscard]] std::uint64_t bytesOfNextMatrix(std::uint32_t more) const;
+  [[nodiscard]] bool isMatrixSmaller(std::uint64_t bytes) const;
+  [[nodiscard]] std::uint64_t growthOfMatrix() const;
+  void makeSlots(std::size_t size);
+  void refillMatrix(std::size_t part, std::size_t parts);
+  void endClaims();
   [[nodiscard]] std::size_t seek(const SoughtRoot& sought) const;
   [[nodiscard]] std::size_t put(std::uint64_t hash, Entry entry);
   [[nodiscard]] bool reserveClaim(Allotment& own);
@@ -137,6 +159,8 @@ private:
   LargeVector<std::uint32_t> slots; ///< 0, or an entry below more bits of the hash
   std::uint32_t numberMask = 0;
   std::size_t dead = 0; ///< slots of claims that have ended
+  bool knowsNumbers = true;
+  std::optional<RootMatrix> matrix; ///< then the slots are those of claims only
 
   std::vector<Claim> claims; ///< as many as may be made
   std::atomic<ClaimId> allotted{0};

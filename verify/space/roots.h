@@ -2,6 +2,7 @@
 
 #include "verify/space/packed_rows.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 
@@ -24,6 +25,7 @@ public:
             static_cast<std::uint32_t>(row >> leftBits)};
   }
   void push(const Root& root) {
+    greatest = {std::max(greatest.left, root.left), std::max(greatest.right, root.right)};
     const std::uint32_t rightBits = rows.rowWidth() - leftBits;
     if (const auto bits = bitsOf(root.right); bits > rightBits)
       rows.widen(rows.rowWidth(), bits - rightBits);
@@ -33,6 +35,11 @@ public:
     }
     rows.push(root.left | std::uint64_t{root.right} << leftBits);
   }
+  /// Bits of the left numbers.
+  [[nodiscard]] std::uint32_t leftWidth() const { return leftBits; }
+  [[nodiscard]] std::uint32_t rightWidth() const { return rows.rowWidth() - leftBits; }
+  /// The greatest left number of a root, and the greatest right one.
+  [[nodiscard]] Root greatestNumbers() const { return greatest; }
   [[nodiscard]] std::uint64_t bytes() const { return rows.bytes(); }
   /// Bytes that the next few roots may allocate at once.
   [[nodiscard]] std::uint64_t growth() const { return rows.growth(); }
@@ -46,6 +53,7 @@ private:
 
   PackedRows rows; ///< the left number below the right one
   std::uint32_t leftBits = 0;
+  Root greatest;
 };
 
 } // namespace proskill::verify

@@ -72,6 +72,7 @@ bool ZoneGraph::isInIndex(StateId state, std::span<const Bound> zone) const {
 
 bool ZoneGraph::covers(StateId state, std::span<const Bound> zone, bool inclusion) const {
   const auto& all = timing.zones();
+  if (state == RootTable::kStored) return true; // without clocks, all zones are the same
   if (const auto cover = coverOf.at(state); cover != 0) return unions[cover - 1].includesZone(zone);
   if (indexed.contains(state)) return isInIndex(state, zone);
   for (NodeIndex i = headOf(state); i != kNone; i = nextOf(i)) {

@@ -50,6 +50,7 @@ public:
   void addNode(StateId state, ZoneId zone, TransitionId step, bool replaces);
   /// Whether nodes of the state include a zone. Without inclusion: whether one of them has it.
   /// Several threads may call this at once, with zones of their own.
+  /// \param state may be RootTable::kStored if the system has no clocks
   [[nodiscard]] bool covers(StateId state, std::span<const Bound> zone, bool inclusion) const;
 
   /// A zone that includes this one and that of the newest node of the state: the hull of both, or
