@@ -58,7 +58,7 @@ public:
 
   /// From now on, kStored may stand for the number of a root that is looked for.
   void forgetNumbers() { knowsNumbers = false; }
-  /// From now on, numbers are known again. \pre there are no claims
+  /// From now on, all numbers are known again. Call this while no other thread uses the table.
   void learnNumbers();
 
   Added add(const SoughtRoot& root);
