@@ -60,7 +60,7 @@ void Body::scripted(const Node& node, const std::string& port, const Exit& exit)
 
 void Body::plain(const Node& node, const Exit& success, const Exit& failure, const Skip& given) {
   const bool outer = vocabulary.isRepeated;
-  vocabulary.isRepeated = outer || repeatsChildren(node.kind);
+  vocabulary.isRepeated = outer || repeatsChildren(node);
   started(node, success, failure, given);
   vocabulary.isRepeated = outer;
 }
@@ -145,7 +145,7 @@ void Body::condition(const Node& node, const Exit& success, const Exit& failure)
 void Body::action(const Node& node, const Exit& success, const Exit& failure) {
   const auto at = statements.size();
   const auto skill = vocabulary.action(node);
-  append(statements, lastingAction(skill));
+  append(statements, lastingAction(node, skill));
   called(skill, traits.endsInside(node), success, failure, {});
   commentAt(at, node);
 }

@@ -43,7 +43,7 @@ public:
   /// A wait. Where a tick has to reach it, it goes on in such a tick only.
   [[nodiscard]] Block lasting(Form wait) const;
   /// The same for the call of a basic skill, which says itself that it has started.
-  [[nodiscard]] Block lastingAction(const std::string& skill) const;
+  [[nodiscard]] Block lastingAction(const Node& node, const std::string& skill) const;
 
   Block statements;
 
@@ -104,8 +104,8 @@ private:
 [[nodiscard]] Exit fail();
 /// `(failure skipped)`, the third outcome of a composite skill.
 [[nodiscard]] Exit skipped();
-/// Whether a node of this kind may start a child again, before it is started again itself.
-[[nodiscard]] bool repeatsChildren(Kind kind);
+/// Whether a node may start a child again, before it is started again itself.
+[[nodiscard]] bool repeatsChildren(const Node& node);
 /// Milliseconds in a port as seconds. Nothing if it is not a number.
 [[nodiscard]] std::optional<std::string> secondsIn(const std::string& port);
 

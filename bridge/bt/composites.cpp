@@ -139,8 +139,10 @@ Block Composites::reactive(const Node& node) {
   rest.children.assign(node.children.begin() + static_cast<std::ptrdiff_t>(guards),
                        node.children.end());
   const auto goesOn = Guard(vocabulary).ofAll(node, guards, !isSequence, false);
+  auto body = isWatching(node, traits) ? onlyOne(rest, early, late) : inTurn(rest, early, late);
+  if (goesOn == Form("false")) return early.jump; // no other child is ever ticked
   if (goesOn != Form("true")) guard = goesOn;
-  return isWatching(node, traits) ? onlyOne(rest, early, late) : inTurn(rest, early, late);
+  return body;
 }
 
 Block Composites::onlyOne(const Node& rest, const Exit& early, const Exit& late) {

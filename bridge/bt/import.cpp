@@ -2,6 +2,7 @@
 
 #include "bridge/bt/composites.h"
 #include "bridge/bt/read/read.h"
+#include "bridge/bt/simplify/simplify.h"
 #include "bridge/bt/tree/expand.h"
 
 #include <fmt/format.h>
@@ -85,6 +86,13 @@ void findInstant(const Node& node, const Leaves& leaves, std::set<std::string>& 
   for (const auto& child : node.children) findInstant(child, leaves, types);
 }
 
+void remarkUnticked(Vocabulary& vocabulary, const Block& program) {
+  const auto called = calledIn(program);
+  for (const auto& [name, place] : vocabulary.actions)
+    if (!called.contains(name))
+      vocabulary.remarks.push_back({place, fmt::format("`{}` is never ticked", name)});
+}
+
 /// The side file may say that a leaf is a condition, which a tree alone need not.
 void setKinds(Node& node, const Leaves& leaves) {
   const bool isLeaf =
@@ -113,9 +121,11 @@ std::expected<Imported, Errors> importTree(const analysis::FileSystem& files,
   const auto main = Composites(vocabulary).of(missionOf(*forest, std::move(*tree)));
   if (!vocabulary.errors.empty()) return std::unexpected(std::move(vocabulary.errors));
   vocabulary.properties.push_back(endProperty(vocabulary, main));
+  const auto program = simplified(vocabulary.program(), main);
+  remarkUnticked(vocabulary, program);
   const auto head = fmt::format("The behavior tree `{}` of {}, by `proskill import bt`.", main,
                                 root.filename().generic_string());
-  return Imported{write(head, vocabulary.program()), vocabulary.notes.empty(),
+  return Imported{write(head, program), vocabulary.notes.empty(),
                   summaryOf(vocabulary, *forest, instant)};
 }
 

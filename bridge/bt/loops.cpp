@@ -11,8 +11,8 @@ Form Body::nextTick(bool atOnce) const {
   return list("^", (atOnce ? "[0," : "]0,") + (tick.empty() ? "...[" : tick + "]"));
 }
 
-bool repeatsChildren(Kind kind) {
-  switch (kind) {
+bool repeatsChildren(const Node& node) {
+  switch (node.kind) {
   case Kind::Action:
   case Kind::Condition:
   case Kind::Script:
@@ -38,10 +38,7 @@ bool repeatsChildren(Kind kind) {
   case Kind::ReactiveFallback:
   case Kind::WhileDoElse:
   case Kind::Switch:
-  case Kind::Repeat:
-  case Kind::Retry:
   case Kind::KeepRunning:
-  case Kind::Queue:
   case Kind::Recovery:
   case Kind::RoundRobin:
   case Kind::Persistent:
@@ -50,6 +47,9 @@ bool repeatsChildren(Kind kind) {
   case Kind::PauseResume:
   case Kind::Rate:
   case Kind::Own: return true;
+  case Kind::Repeat:
+  case Kind::Retry: return roundsOf(node) != 1;
+  case Kind::Queue: return elementsIn(node) != 1;
   }
   std::unreachable();
 }

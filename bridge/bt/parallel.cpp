@@ -118,6 +118,8 @@ void Body::parallelAll(const Node& node, const Exit& success, const Exit& failur
     blocks.push_back(std::move(body.statements));
   }
   append(statements, together(std::move(blocks)));
+  const auto ends = traits.endsInside(node);
+  if (!ends.success || !ends.failure) return leave(ends.success ? success : failure);
   const auto at = statements.size();
   const Form failed = list(">=", failures, std::to_string(*needed));
   if (failure.next())

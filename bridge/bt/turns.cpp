@@ -121,9 +121,10 @@ Block Body::lasting(Form wait) const {
   return block;
 }
 
-Block Body::lastingAction(const std::string& skill) const {
+Block Body::lastingAction(const Node& node, const std::string& skill) const {
   Block block{list(skill)};
-  if (vocabulary.turn && !vocabulary.turn->halted.empty())
+  const bool isInstant = vocabulary.leaves.of(node.name, node.id).isInstant();
+  if (vocabulary.turn && !vocabulary.turn->halted.empty() && !isInstant)
     block.push_back(list("if", list("=", skill + ".status", "failed_inv"),
                          list("goto", vocabulary.turn->halted)));
   append(block, nextTurn());
@@ -176,7 +177,7 @@ Turn Composites::turnOf(const Node& node, std::size_t children) {
   Turn turn{.reached = {}, .kept = {}, .runs = {}, .halted = {}};
   const auto most = static_cast<std::int64_t>(children) + 1;
   turn.reached = vocabulary.counter(node, "_reached", most);
-  turn.kept = vocabulary.counter(node, "_kept", most);
+  turn.kept = vocabulary.counter(node, "_kept", most, most);
   for (std::size_t i = 1; i <= children; ++i)
     turn.runs.push_back(vocabulary.counter(node, fmt::format("_runs_{}", i), 1));
   return turn;

@@ -76,9 +76,11 @@ std::string Vocabulary::anyOf(const std::string& wish, const std::vector<std::st
   return name;
 }
 
-std::string Vocabulary::counter(const Node& node, const std::string& suffix, std::int64_t most) {
+std::string Vocabulary::counter(const Node& node, const std::string& suffix, std::int64_t most,
+                                std::int64_t init) {
   auto name = names.take(wordOf(node) + suffix);
-  Form variable = list("defsv", name, ":init", "0", ":min", "0", ":max", std::to_string(most));
+  Form variable =
+      list("defsv", name, ":init", std::to_string(init), ":min", "0", ":max", std::to_string(most));
   variable.comment = comment(node);
   variables.push_back(variable);
   return name;
@@ -86,6 +88,7 @@ std::string Vocabulary::counter(const Node& node, const std::string& suffix, std
 
 std::string Vocabulary::action(const Node& node) {
   auto name = names.take(wordOf(node));
+  actions[name] = node.place;
   const auto& leaf = leaves.of(node.name, node.id);
   Form skill = list("defskill", name);
   skill.comment = comment(node);
@@ -116,14 +119,7 @@ void Vocabulary::composite(const std::string& name, const std::string& comment, 
   Form skill = list("defskill", name);
   skill.comment = comment;
   if (guard) append(skill.parts, {":invariant", list("watched", list(":guard", *guard))});
-  const Form statements(std::move(body));
-  if (contains(statements, list("success", "done"))) append(skill.parts, {":success", "done"});
-  const bool fails = contains(statements, list("failure", "failed"));
-  if (contains(statements, list("failure", "skipped")))
-    append(skill.parts, {":failure", fails ? list("failed", "skipped") : Form("skipped")});
-  else if (fails)
-    append(skill.parts, {":failure", "failed"});
-  append(skill.parts, {":body", statements});
+  append(skill.parts, {":body", Form(std::move(body))});
   skills.push_back(skill);
 }
 

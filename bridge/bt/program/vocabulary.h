@@ -40,11 +40,12 @@ public:
   /// A variable that may have any of the values at any time.
   std::string anyOf(const std::string& wish, const std::vector<std::string>& values,
                     const std::string& comment);
-  /// A number from 0 to `most`.
-  std::string counter(const Node& node, const std::string& suffix, std::int64_t most);
+  /// A number from 0 to `most`, which is 0 at first unless another one is given.
+  std::string counter(const Node& node, const std::string& suffix, std::int64_t most,
+                      std::int64_t init = 0);
   /// The basic skill of an action.
   std::string action(const Node& node);
-  /// Adds a composite skill, with the outcomes that its body has.
+  /// Adds a composite skill, without its outcomes.
   /// \param guard ends the skill as soon as it is false; empty: none
   void composite(const std::string& name, const std::string& comment, Block body,
                  const std::optional<Form>& guard = {});
@@ -70,6 +71,7 @@ public:
   /// Variables that are 1 while an action or a wait of this node runs.
   std::vector<std::string> marks;
 
+  std::map<std::string, Place> actions; ///< where each basic skill comes from
   /// The names of actions, by types of nodes.
   std::map<std::string, std::string> commands;
 

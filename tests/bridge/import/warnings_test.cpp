@@ -2,8 +2,12 @@
 #include "analysis/program/program.h"
 #include "syntax/diagnostics/codes.h"
 #include "tests/bridge/import/trees.h"
+#include "tests/bridge/random_tree.h"
+#include "tests/support/random/seeds.h"
 
 #include <catch2/catch.hpp>
+
+#include <algorithm>
 
 using namespace proskill;
 using namespace proskill::test;
@@ -76,6 +80,45 @@ TEST_CASE("a loop whose child ends it in the first round is its child") {
       CHECK(found.severity == syntax::Severity::Hint);
     }
   }
+}
+
+void checkNoWarnings(const std::string& text) {
+  const auto program = analysis::load(MemoryFiles({{"p", text}}), "p");
+  for (const auto& found : analysis::flow::inspect(program)) {
+    INFO(text);
+    CAPTURE(found.message);
+    REQUIRE(found.severity == syntax::Severity::Hint);
+  }
+}
+
+TEST_CASE("random trees become programs without warnings") {
+  const auto leaves = bridge::Leaves::read(kRandomLeaves);
+  REQUIRE(leaves);
+  std::size_t imported = 0;
+  const auto seeds = seedsOr(1, 400);
+  for (auto seed = seeds.first; seed < seeds.end; ++seed) {
+    CAPTURE(seed);
+    const MemoryFiles files({{"tree.xml", randomTree(seed)}});
+    const auto tree = bridge::bt::importTree(files, "tree.xml", *leaves, {});
+    if (!tree) continue;
+    ++imported;
+    checkNoWarnings(tree->text);
+  }
+  CHECK(imported * 10 >= (seeds.end - seeds.first) * 8);
+}
+
+TEST_CASE("what a tree never ticks is named, and stays as a skill that nothing calls") {
+  const MemoryFiles files({{"main.xml", treeOf("<Fallback><AlwaysSuccess/>\n<A/>\n"
+                                               "<ReactiveSequence><AlwaysFailure/>\n<B/>"
+                                               "</ReactiveSequence></Fallback>")}});
+  const auto tree = bridge::bt::importTree(files, "main.xml", bridge::Leaves(), {});
+  REQUIRE(tree);
+  CHECK(std::ranges::count(tree->summary, "main.xml:4:1: `A` is never ticked") == 1);
+  CHECK(std::ranges::count(tree->summary, "main.xml:6:1: `B` is never ticked") == 1);
+  CHECK(contains(tree->text, "(defskill A\n"));
+  CHECK(contains(tree->text, "(defskill Main\n  :success done\n  :body\n"));
+  CHECK_FALSE(contains(tree->text, "ReactiveSequence"));
+  checkNoWarnings(tree->text);
 }
 
 } // namespace warnings_of_imports
