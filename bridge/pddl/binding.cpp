@@ -41,13 +41,17 @@ std::vector<Expr> truths() {
   return both;
 }
 
+/// How many values a number has.
+std::int64_t countOf(const syntax::StateVariable& variable) {
+  return variable.max->number.numerator - variable.min->number.numerator + 1;
+}
+
 /// From the least to the greatest, or nothing if there are too many.
 std::vector<Expr> numbers(const syntax::StateVariable& variable) {
-  if (!variable.min || !variable.max) return {};
+  std::vector<Expr> all;
+  if (countOf(variable) > static_cast<std::int64_t>(kMost)) return all;
   const auto least = variable.min->number.numerator;
   const auto most = variable.max->number.numerator;
-  std::vector<Expr> all;
-  if (most - least >= static_cast<std::int64_t>(kMost)) return all;
   for (auto value = least; value <= most; ++value) all.push_back(numbered(value));
   return all;
 }
@@ -67,6 +71,20 @@ std::vector<Expr> valuesOf(const analysis::Program& program, std::string_view ty
   return all;
 }
 
+/// Why there is no list of the values of an input.
+std::string noList(const analysis::Program& program, const syntax::Skill& skill,
+                   std::string_view input, std::string_view type) {
+  const auto* variable = program.stateVariables.find(type);
+  if (!variable)
+    return fmt::format("the conditions and effects of `{}` read its input `{}`, and the values of "
+                       "`{}` cannot be listed; declare a state variable with them, and use it as "
+                       "the type",
+                       skill.name.text, input, type);
+  return fmt::format("`{}` needs an action for each value of its input `{}`, and `{}` has {} of "
+                     "them, more than {}; read the input in the action only, or use fewer values",
+                     skill.name.text, input, type, countOf(variable->node()), kMost);
+}
+
 std::string tooMany(const syntax::Skill& skill, const std::string& counts) {
   return fmt::format("`{}` needs an action for each combination of the values of its inputs, more "
                      "than {} ({}); read fewer inputs in its conditions and effects, or split it",
@@ -84,9 +102,7 @@ std::expected<std::vector<Binding>, std::string> bindingsOf(const analysis::Prog
     if (!read.contains(input.name.text)) continue;
     const auto values = valuesOf(program, input.type.text);
     if (values.empty())
-      return std::unexpected(
-          fmt::format("the input `{}` of `{}` does not have a list of at most {} values",
-                      bare(input.name.text), skill.name.text, kMost));
+      return std::unexpected(noList(program, skill, bare(input.name.text), input.type.text));
     counts += fmt::format("{}{} of `{}`", counts.empty() ? "" : ", ", values.size(),
                           bare(input.name.text));
     if (all.size() * values.size() > kMost) return std::unexpected(tooMany(skill, counts));

@@ -315,8 +315,8 @@ TEST_CASE("PDDL has an action for each value of an input that a skill reads") {
   const auto heavy = directory.write("heavy.proskill", skill("5000"));
   const auto refused = command({"emit", "pddl", heavy});
   CHECK(refused.exitCode == 2);
-  CHECK(contains(refused.err, "heavy.proskill:3:11: error: PDDL cannot say this: the input `by` of "
-                              "`go` does not have a list of at most 1000 values"));
+  CHECK(contains(refused.err, "heavy.proskill:3:11: error: PDDL cannot say this: `go` needs an "
+                              "action for each value of its input `by`, and"));
 }
 
 } // namespace import_command
