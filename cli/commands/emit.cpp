@@ -6,6 +6,7 @@
 #include "bridge/text/names.h"
 #include "cli/output/bridge_report.h"
 #include "cli/output/checked_program.h"
+#include "cli/output/goal_program.h"
 #include "cli/output/peer_model.h"
 #include "cli/output/stub_files.h"
 #include "cli/terminal/choice.h"
@@ -112,20 +113,15 @@ int emitModel(const EmitArguments& arguments, const analysis::Program& program) 
   return failed ? fail(*failed) : kDone;
 }
 
-constexpr auto kGoal = "goal_of_the_plan";
-
-/// The goal as a property, so that it is read and checked like the rest of the program.
-std::string goalProperty(const EmitArguments& arguments) {
-  if (arguments.goal.empty()) return {};
-  return fmt::format("\n(defproperty {} (reachable {}))\n", kGoal, arguments.goal);
-}
-
-std::expected<bridge::Emitted, bridge::Errors> emitPddl(const EmitArguments& arguments,
-                                                        const analysis::Program& program,
-                                                        const std::string& name) {
-  if (arguments.goal.empty()) return bridge::pddl::emitDomain(program, name, arguments.outcomes);
-  const auto& goal = *program.properties.find(kGoal);
-  return bridge::pddl::emitProblem(program, name, goal->operands.front(), goal.file);
+int emitPddl(const EmitArguments& arguments, const analysis::Program& program,
+             const std::string& name) {
+  if (arguments.goal.empty())
+    return writeEmitted(arguments, bridge::pddl::emitDomain(program, name, arguments.outcomes));
+  const auto whole = loadGoal(arguments.file, arguments.goal, arguments.colour);
+  if (!whole) return kFailed;
+  auto emitted = bridge::pddl::emitProblem(whole->program, name, whole->goal(), 0);
+  if (!emitted) return reportErrors(GoalProgram::inGoal(std::move(emitted.error())));
+  return writeEmitted(arguments, emitted);
 }
 
 std::optional<Peer> peerOf(Target target) {
@@ -146,12 +142,12 @@ int runEmit(const EmitArguments& arguments) {
     options.edition = edition(arguments);
     return writePeerModel(*peer, arguments.file, arguments.output, options, arguments.colour);
   }
-  const auto program = loadChecked(arguments.file, arguments.colour, goalProperty(arguments));
+  const auto program = loadChecked(arguments.file, arguments.colour);
   if (!program) return kFailed;
   if (arguments.target == Target::Hippo) return writeHippoProject(arguments, *program);
   const auto name = bridge::asName(std::filesystem::path(arguments.file).stem().string());
   if (isTree) return emitTree(arguments, *program);
-  if (isPddl) return writeEmitted(arguments, emitPddl(arguments, *program, name));
+  if (isPddl) return emitPddl(arguments, *program, name);
   if (arguments.target == Target::Skillset)
     return writeEmitted(arguments, bridge::rl::emitSkillset(*program, name));
   return emitModel(arguments, *program);

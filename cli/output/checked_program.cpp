@@ -35,8 +35,7 @@ std::string_view otherThanProgram(std::string_view text) {
 
 } // namespace
 
-std::optional<analysis::Program> loadChecked(const std::string& root, ColourChoice colour,
-                                             std::string_view added) {
+std::optional<analysis::Program> loadChecked(const std::string& root, ColourChoice colour) {
   if (ide::isFiacre(root)) {
     fail("`" + root +
          "` is a model in Fiacre, which only `check`, `verify`, `fmt`, `emit promela` and `emit "
@@ -53,8 +52,6 @@ std::optional<analysis::Program> loadChecked(const std::string& root, ColourChoi
     fail("`" + root + "` is not a program, but " + std::string(what));
     return std::nullopt;
   }
-  if (!added.empty())
-    document = syntax::Document::parse(std::string(document->text()) + std::string(added));
   auto program = analysis::load(disk, root, std::move(*document));
   auto diagnostics = analysis::check(program);
   std::erase_if(diagnostics,

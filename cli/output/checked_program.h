@@ -11,9 +11,8 @@ namespace proskill::cli {
 
 /// Loads a program for commands that need one without errors, and prints its errors and warnings to
 /// standard error. Nothing if it has errors or cannot be read.
-/// \param added definitions that are read at the end of the root file
-[[nodiscard]] std::optional<analysis::Program>
-loadChecked(const std::string& root, ColourChoice colour, std::string_view added = {});
+[[nodiscard]] std::optional<analysis::Program> loadChecked(const std::string& root,
+                                                           ColourChoice colour);
 
 /// Prints to standard error why a program has no model. \return kFailed
 int failGeneration(const analysis::Program& program, const codegen::GenerationError& error);

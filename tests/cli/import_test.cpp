@@ -186,6 +186,41 @@ TEST_CASE("plan does not replace the program, and needs a goal") {
   CHECK(run({"/bin/cat", path}).out == text);
 }
 
+TEST_CASE("errors of a goal are at their place in the goal") {
+  const auto survey = std::string(PROSKILL_SOURCE_DIR "/docs/bridges/survey.proskill");
+  const auto errors = [&](const std::string& goal) {
+    const auto done = command({"emit", "pddl", "--goal", goal, survey});
+    CHECK(done.exitCode == 2);
+    CHECK(done.out.empty());
+    return done.err;
+  };
+  CHECK(contains(errors("(area Green)"), "`Green` is not a value of `area`\n --> goal:1:7\n"));
+  CHECK(contains(errors("(and (area Photographed)\n  (are Unknown))"), " --> goal:2:4\n"));
+  CHECK(contains(errors("(ended land)"), "goal:1:1: error: PDDL cannot say this: a condition"));
+  for (const auto* goal : {"(area Photographed", "(area Photographed))", "area", ")", "(", "\"x"})
+    CHECK(contains(errors(goal), " --> goal:1:"));
+}
+
+TEST_CASE("plan reports what is wrong with a goal before it looks for planners") {
+  const auto survey = std::string(PROSKILL_SOURCE_DIR "/docs/bridges/survey.proskill");
+  const TemporaryDirectory directory;
+  const auto none = directory.write("unified_planning.py", "raise ImportError('none')\n");
+  const auto plan = [&](const std::string& goal) {
+    return run({"/usr/bin/env", "PYTHONPATH=" + none.substr(0, none.rfind('/')), PROSKILL_PROGRAM,
+                "plan", goal, survey});
+  };
+  const auto wrong = plan("(area Green)");
+  CHECK(wrong.exitCode == 2);
+  CHECK(contains(wrong.err, " --> goal:1:7\n"));
+  CHECK_FALSE(contains(wrong.err, "planners"));
+  const auto impossible = plan("(and (area Unknown) (area Photographed))");
+  CHECK(impossible.exitCode == 1);
+  CHECK(contains(impossible.err, "the goal is impossible"));
+  const auto possible = plan("(area Photographed)");
+  CHECK(possible.exitCode == 2);
+  CHECK(contains(possible.err, "error: planners are not installed"));
+}
+
 TEST_CASE("emit pddl writes a domain and a problem") {
   const auto survey = std::string(PROSKILL_SOURCE_DIR "/docs/bridges/survey.proskill");
   const auto domain = command({"emit", "pddl", survey});

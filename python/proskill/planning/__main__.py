@@ -9,7 +9,7 @@ if __package__ in (None, ""):  # started by its path, without being installed
     sys.path[0] = os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, os.pardir)
 
 from proskill.planning.anml import anml_of  # noqa: E402
-from proskill.planning.loop import Loop, Settings, say  # noqa: E402
+from proskill.planning.loop import Loop, Settings, require_planners, say  # noqa: E402
 from proskill.planning.pddl import Refused  # noqa: E402
 from proskill.planning.planner import PLANNERS  # noqa: E402
 
@@ -34,14 +34,9 @@ def main() -> int:
     parser.add_argument("file")
     arguments = parser.parse_args()
     try:
-        import unified_planning  # noqa: F401
-    except ImportError:
-        say("error: planners are not installed. In a virtual environment: pip install unified-planning up-aries up-tamer;")
-        say("then run this again in it, or with --python ENVIRONMENT/bin/python")
-        return 2
-    try:
         loop = Loop(settings_of(arguments))
         if arguments.anml:
+            require_planners()
             put(arguments, anml_of(loop.domain.text, loop.problem))
         else:
             put(arguments, program_of(arguments, loop.run()))
