@@ -3,6 +3,7 @@
 #include "bridge/bt/import.h"
 #include "bridge/gen/import.h"
 #include "bridge/rl/import.h"
+#include "cli/bridges/own_definitions.h"
 #include "cli/output/bridge_report.h"
 #include "cli/terminal/choice.h"
 #include "cli/terminal/error.h"
@@ -13,6 +14,8 @@
 #include "syntax/text/utf8.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <iostream>
 #include <memory>
@@ -61,6 +64,17 @@ std::expected<bridge::Imported, bridge::Errors> imported(const ImportArguments& 
   std::unreachable();
 }
 
+/// Why the output must not be replaced; empty if it may be.
+std::string lossOf(const std::string& output, const std::string& imported) {
+  const auto existing = disk::DiskFileSystem().read(output);
+  const auto own = existing ? ownDefinitions(*existing, imported) : std::vector<std::string>();
+  if (own.empty()) return {};
+  return fmt::format("`{}` would lose what was added to it: `{}`. Move this to a program that "
+                     "includes `{}`, or remove it",
+                     output, fmt::join(own, "`, `"),
+                     std::filesystem::path(output).filename().string());
+}
+
 int runImport(const ImportArguments& arguments) {
   if (disk::replaces(arguments.output, arguments.file))
     return fail("`-o` names the file that is read");
@@ -72,6 +86,7 @@ int runImport(const ImportArguments& arguments) {
   if (!leaves) return reportErrors(leaves.error());
   const auto made = imported(arguments, *leaves);
   if (!made) return reportErrors(made.error());
+  if (const auto loss = lossOf(arguments.output, made->text); !loss.empty()) return fail(loss);
   if (const auto failed = disk::writeOutput(arguments.output, made->text)) return fail(*failed);
   for (const auto& line : made->summary) std::cerr << syntax::printable(line) << '\n';
   return kDone;
