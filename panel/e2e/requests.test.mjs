@@ -15,7 +15,7 @@ const answers = {
   picture: { kind: 'sv', name: 'door', title: 'door', note: '', content: '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"/>', errors: false, nodes: [], edges: [], clusters: [], pictures: [] },
 };
 
-/** A host that notes the requests, and answers at once, but those of the method `held` when `release` is called. Counts the elements made of a class. */
+/** A host that notes the requests, and answers at once, but those of the method `held` when `release` is called, and after `hold` again. Counts the elements made of a class. */
 const host = ({ hello, answers, held }) => {
   window.requests = [];
   window.made = {};
@@ -24,7 +24,9 @@ const host = ({ hello, answers, held }) => {
     if (name === 'class') for (const it of String(value).split(' ')) window.made[it] = (window.made[it] ?? 0) + 1;
     return setAttribute.call(this, name, value);
   };
-  const released = new Promise((done) => { window.release = done; });
+  let released;
+  window.hold = () => { released = new Promise((done) => { window.release = done; }); };
+  window.hold();
   window.acquireVsCodeApi = () => ({ postMessage: async ({ type, id, method, params }) => {
     if (type !== 'request') return;
     window.requests.push([method, params.name].filter(Boolean).join(' '));
@@ -97,6 +99,24 @@ test('a trace alone makes no list of verdicts, and compares with those that have
   await it.evaluate((params) => window.postMessage({ type: 'news', method: 'program', params }), { ...rest, changed: [verdict('r', { description: 'r, changed' })] });
   await eventually(async () => assert.equal((await compared()).length, before.length + 1));
   assert.equal(await it.evaluate(() => window.made.verdict ?? 0), 0);
+  assert.deepEqual(it.complaints, []);
+});
+
+test('a trace that comes after the text has changed again is for an older text', async () => {
+  answers.trace.steps = steps;
+  const it = await opened('trace', { show: { trace: 't', step: 0 }, program: { ...program, verdicts: [verdict('t')] } }, 'trace');
+  const news = (more) => it.evaluate((params) => window.postMessage({ type: 'news', method: 'program', params }), { ...program, ...more });
+  await it.evaluate(() => window.release());
+  await it.locator('#step-0.current').waitFor();
+  await it.evaluate(() => window.hold());
+  const verdicts = [verdict('t', { description: 'again' })];
+  await news({ verdicts });
+  await it.waitForFunction(() => window.requests.filter((name) => name === 'trace t').length === 2);
+  await news({ verdicts, state: 'errors', stale: true });
+  await it.locator('.trace-body.stale').waitFor();
+  await it.evaluate(() => window.release());
+  await it.evaluate(() => new Promise((done) => setTimeout(done, 100)));
+  assert.equal(await it.locator('.trace-body.stale').count(), 1);
   assert.deepEqual(it.complaints, []);
 });
 

@@ -265,13 +265,13 @@ class App {
     this.wanted = null;
     this.select('trace');
     this.trace.show(trace, step, byUser);
-    this.trace.markStale(trace.stale ?? (this.program !== null && this.isStale(this.program)));
+    this.trace.markStale(this.isStale(trace));
     this.verdicts?.select(trace.name);
   }
 
-  /** A trace from a file does not depend on the program. */
-  private isStale(program: Program): boolean {
-    return program.stale && !this.opened.has(this.trace.name ?? '');
+  /** The text may have changed since the trace was requested. One from a file does not depend on the program. */
+  private isStale(trace?: Trace): boolean {
+    return trace?.stale === true || (this.program?.stale === true && !this.opened.has(this.trace.name ?? ''));
   }
 
   /** `keyboard`: what had the focus when the user chose it, or the page if nobody did. A user who has moved the focus elsewhere keeps it. */
@@ -315,7 +315,7 @@ class App {
     enable(this.again, program.state === 'checking' ? 'It is being verified' : null, 'Verify again');
     this.verdicts?.show(program);
     if (program.verdicts !== former?.verdicts) this.trace.setOthers(program.verdicts);
-    this.trace.markStale(this.isStale(program));
+    this.trace.markStale(this.isStale());
     if (program.pictures.length > 0 && this.hello.layout !== 'trace') this.automaton.setProgram(program);
     this.simulation?.setProgram(program);
     void this.source?.setProgram(program);
@@ -342,7 +342,7 @@ class App {
     if (verdict.steps === null) return this.trace.showVerdict(verdict);
     try {
       const trace = await this.host.request('trace', { name });
-      if (request === this.asked) this.trace.renew(trace);
+      if (request === this.asked) this.trace.renew(trace, true, this.isStale(trace));
     } catch (error) {
       if (request === this.asked) this.trace.markGone();
     }

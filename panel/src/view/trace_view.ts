@@ -194,7 +194,7 @@ export class TraceView {
    * Shows another trace of the same property, after another verification. The current step becomes the equal one, else the nearest. The visible part
    * stays; the source does not move.
    */
-  renew(trace: Trace, tells = true): void {
+  renew(trace: Trace, tells = true, stale = false): void {
     const former = this.given ? { trace: this.given, index: this.current } : this.former;
     if (!former) return this.show(trace);
     const found = continuation(former.trace, former.index, trace);
@@ -210,11 +210,11 @@ export class TraceView {
     this.empty.hidden = true;
     this.body.hidden = false;
     this.drawHead();
-    this.markStale(false);
+    this.markStale(stale);
     this.lanes.renew(this.trace!);
     this.refresh(found.index);
     this.moveTo(found.index, false);
-    if (isNew && tells) this.head.say(notice(found, former.index, trace));
+    if (isNew && tells && !stale) this.head.say(notice(found, former.index, trace));
   }
 
   /** The same trace with more steps. `toLast`: its last step becomes the current one, and the source follows; otherwise nothing moves. */
@@ -261,8 +261,9 @@ export class TraceView {
     this.list.element.focus({ preventScroll: true });
   }
 
+  /** What was said about the latest verification is over when the text changes. */
   markStale(stale: boolean): void {
-    this.body.classList.toggle('stale', stale || this.gone);
+    if (this.body.classList.toggle('stale', stale || this.gone)) this.head.say('');
   }
 
   private drawHead(): void {
