@@ -77,6 +77,7 @@ export class AutomatonPreview implements vscode.Disposable {
   }
 
   private take(host: PanelHost): void {
+    host.edits = this.edits;
     host.onPicture((picture) => {
       if (picture.errors) return;
       this.edits.forget(picture.texts);

@@ -4,13 +4,14 @@ import { changesSince } from '../../panel/src/model/verdict_changes';
 import type { Client } from './client';
 import { Latest } from './latest';
 import { page } from './page';
-import { besideText, bringIntoView, goTo, renamed } from './places';
+import { besideText, bringIntoView, goTo, presentOf, renamed } from './places';
 import type { Programs } from './programs';
 import * as protocol from './protocol';
 import { save } from './save';
 import { withCells } from './trace/cells';
 import { readPart } from './trace/trace_file';
 import type { panel } from './protocol';
+import { Edits } from './writing/edits';
 import type { Typing } from './writing/typing';
 
 export type Layout = 'trace' | 'automaton' | 'simulation';
@@ -51,6 +52,8 @@ export class PanelHost implements vscode.Disposable {
   private file: vscode.Uri | undefined;
   private from: number | undefined;
   private askedParts = 0;
+  /** since what is shown was computed */
+  edits = new Edits();
 
   /** `uri`: any file of the program, by its present name; `show` may become known while the page loads. */
   constructor(
@@ -153,8 +156,9 @@ export class PanelHost implements vscode.Disposable {
   /** The editor follows a trace's steps by scrolling only, and not while the user types in it or has turned to it. */
   private async follow({ location, focus }: panel.Told['reveal']): Promise<void> {
     const { viewColumn } = this.view;
-    if (focus || this.layout === 'automaton') await goTo(location, focus, viewColumn);
-    else if ((await this.isFollowed()) && !this.typing.goesOn) await bringIntoView(location, viewColumn);
+    const place = (): panel.Location => presentOf(location, this.edits);
+    if (focus || this.layout === 'automaton') await goTo(place(), focus, viewColumn);
+    else if ((await this.isFollowed()) && !this.typing.goesOn) await bringIntoView(place(), viewColumn);
   }
 
   /** A step may arrive late, when the user is in a text again: that text stays as it is. A click in the panel may arrive before the news that the panel has the keyboard. */
@@ -199,11 +203,14 @@ export class PanelHost implements vscode.Disposable {
   }
 
   private async trace({ name }: { name: string }): Promise<panel.Trace> {
-    return withCells(await this.client.running.sendRequest(protocol.trace, { textDocument: { uri: this.uri.toString() }, name }));
+    const trace = await this.client.running.sendRequest(protocol.trace, { textDocument: { uri: this.uri.toString() }, name });
+    this.edits.forget(trace.texts);
+    return withCells(trace);
   }
 
   private async simulate(run: panel.ChosenRun): Promise<panel.Simulation> {
     const simulation = await this.client.running.sendRequest(protocol.simulate, { textDocument: { uri: this.uri.toString() }, ...run });
+    this.edits.forget(simulation.texts);
     return { ...simulation, trace: withCells(simulation.trace) };
   }
 

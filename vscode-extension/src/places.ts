@@ -1,5 +1,6 @@
 import * as vscode from 'vscode';
 import type { panel } from './protocol';
+import type { Edits } from './writing/edits';
 
 export const rangeOf = ({ start, end }: panel.Range): vscode.Range =>
   new vscode.Range(start.line, start.character, end.line, end.character);
@@ -9,6 +10,10 @@ export const locationOf = (location: panel.Location): vscode.Location =>
 
 export const sameUri = (left: string, right: vscode.Uri): boolean =>
   vscode.Uri.parse(left).toString() === right.toString();
+
+/** Where a place of an older text is now. */
+export const presentOf = (location: panel.Location, edits: Edits): panel.Location =>
+  ({ ...location, range: edits.rangeNow(vscode.Uri.parse(location.uri).toString(), location.range) });
 
 /** The editor that already shows a text, else the group with texts, beside the panel. */
 function columnOf(uri: vscode.Uri): vscode.ViewColumn {

@@ -101,6 +101,10 @@ export interface Trace extends panel.Trace {
   texts: TextVersion[];
 }
 
+export interface Simulation extends panel.Simulation {
+  texts: TextVersion[];
+}
+
 export const automaton = new RequestType<AutomatonParams, Automaton, void>('proskill/automaton');
 export const model = new RequestType<
   { textDocument: TextDocumentIdentifier; edition?: string }, Model, void>('proskill/model');
@@ -120,7 +124,7 @@ export interface Recording {
 export const recording = new RequestType<{ uri: string; from?: number }, Recording, void>('proskill/recording');
 export const edited = new RequestType<{ sources: { [uri: string]: string } }, { edited: string[] }, void>('proskill/edited');
 export const simulate = new RequestType<
-  { textDocument: TextDocumentIdentifier } & panel.ChosenRun, panel.Simulation, void>('proskill/simulate');
+  { textDocument: TextDocumentIdentifier } & panel.ChosenRun, Simulation, void>('proskill/simulate');
 export const explain = new RequestType<
   { code: string }, { code: string; title: string; markdown: string; plain: string }, void>('proskill/explain');
 export const indent = new RequestType<{ textDocument: TextDocumentIdentifier; lines: number[] }, TextEdit[], void>('proskill/indent');

@@ -6,6 +6,7 @@ import { currentText } from './writing/current_text';
 import { isVerified } from './places';
 import type { Programs } from './programs';
 import type { panel } from './protocol';
+import { Edits } from './writing/edits';
 import type { Typing } from './writing/typing';
 
 /** Milliseconds between an edit and the replay of the run. */
@@ -15,8 +16,12 @@ const kTyping = 300;
 export class Simulations implements vscode.Disposable {
   private host: PanelHost | undefined;
   private editing: NodeJS.Timeout | undefined;
-  private readonly subscription = vscode.workspace.onDidChangeTextDocument(({ document, contentChanges }) => {
-    if (document.languageId === 'proskill' && contentChanges.length) this.edited();
+  /** since the last replay of the run, which is older while the text has errors */
+  private readonly edits = new Edits();
+  private readonly subscription = vscode.workspace.onDidChangeTextDocument((change) => {
+    if (!this.host || change.document.languageId !== 'proskill' || !change.contentChanges.length) return;
+    this.edits.note(change);
+    this.edited();
   });
 
   constructor(
@@ -60,6 +65,8 @@ export class Simulations implements vscode.Disposable {
   }
 
   private take(host: PanelHost): void {
+    this.edits.clear();
+    host.edits = this.edits;
     host.onEnd(() => {
       if (this.host === host) this.host = undefined;
     });

@@ -9,6 +9,7 @@ import { scenarios as imports } from './imports.mjs';
 import { scenarios as large } from './large.mjs';
 import { scenarios as lenses } from './lenses.mjs';
 import { scenarios as mission } from './mission.mjs';
+import { scenarios as olderText } from './older_text.mjs';
 import { scenarios as opening } from './opening.mjs';
 import { scenarios as picture } from './picture.mjs';
 import { scenarios as pictures } from './pictures.mjs';
@@ -22,5 +23,5 @@ import { scenarios as verification } from './verification.mjs';
 import { scenarios as walkthrough } from './walkthrough.mjs';
 
 export const scenarios = {
-  ...trust, ...editing, ...automaton, ...picture, ...verification, ...testing, ...traces, ...opening, ...lenses, ...typing, ...imports, ...large, ...simulation, ...mission, ...secondDay, ...folders, ...copies, ...first, ...debugging, ...walkthrough, ...pictures,
+  ...trust, ...editing, ...automaton, ...picture, ...verification, ...testing, ...traces, ...opening, ...lenses, ...typing, ...imports, ...large, ...simulation, ...mission, ...secondDay, ...folders, ...copies, ...olderText, ...first, ...debugging, ...walkthrough, ...pictures,
 };

@@ -15,14 +15,23 @@ export class StepMarks implements vscode.Disposable {
     rangeBehavior: vscode.DecorationRangeBehavior.ClosedOpen,
   });
   private current: panel.CurrentStep | null = null;
+  private isShown = false;
   private readonly subscriptions = [
     vscode.window.onDidChangeVisibleTextEditors(() => this.draw()),
     this.step, this.values,
   ];
 
+  /** `presentOf`: where a place of the step's text is now */
+  constructor(private readonly presentOf: (location: panel.Location) => panel.Location) {}
+
   show(current: panel.CurrentStep | null): void {
     this.current = current;
     this.draw();
+  }
+
+  /** Marks follow edits, but the editor keeps an empty one where the text of the step was removed. */
+  edited(): void {
+    if (this.isShown && !this.place()) this.draw();
   }
 
   dispose(): void {
@@ -30,12 +39,21 @@ export class StepMarks implements vscode.Disposable {
   }
 
   private draw(): void {
-    const location = this.current?.step.location;
+    const location = this.place();
+    this.isShown = location !== undefined;
     for (const editor of vscode.window.visibleTextEditors) {
       const here = location && sameUri(location.uri, editor.document.uri) ? rangeOf(location.range) : undefined;
       editor.setDecorations(this.step, here ? [here] : []);
       editor.setDecorations(this.values, here && this.current ? this.valuesAt(editor.document, here, this.current) : []);
     }
+  }
+
+  /** The present place of the step, unless its text was removed. */
+  private place(): panel.Location | undefined {
+    const location = this.current?.step.location;
+    const now = location && this.presentOf(location);
+    const isEmpty = ({ range }: panel.Location): boolean => rangeOf(range).isEmpty;
+    return now && (isEmpty(location) || !isEmpty(now)) ? now : undefined;
   }
 
   /** After the step's first line: its changes, then the values of the variables that the line names. */

@@ -4,9 +4,10 @@ import type { Client } from '../client';
 import type { FiacreView } from '../model';
 import { PanelHost, savedPanel, type SavedPanel } from '../panel_host';
 import { currentText } from '../writing/current_text';
-import { showText } from '../places';
+import { isVerified, presentOf, showText } from '../places';
 import type { Programs } from '../programs';
 import type { panel } from '../protocol';
+import { Edits } from '../writing/edits';
 import { StepMarks } from './step_marks';
 import { readTrace } from './trace_file';
 import type { Typing } from '../writing/typing';
@@ -16,7 +17,10 @@ export class TraceView implements vscode.Disposable {
   private host: PanelHost | undefined;
   private shown: panel.Show = {};
   private current: panel.CurrentStep | null = null;
-  private readonly marks = new StepMarks();
+  /** since the trace that is shown was computed; it stays while the text has errors */
+  private readonly edits = new Edits();
+  private readonly marks = new StepMarks((location) => presentOf(location, this.edits));
+  private readonly subscriptions: vscode.Disposable[];
 
   constructor(
     private readonly client: Client,
@@ -24,11 +28,24 @@ export class TraceView implements vscode.Disposable {
     private readonly typing: Typing,
     private readonly context: vscode.ExtensionContext,
     private readonly fiacre: FiacreView,
-  ) {}
+  ) {
+    this.subscriptions = [
+      vscode.workspace.onDidChangeTextDocument((change) => {
+        if (!isVerified(change.document) || !change.contentChanges.length) return;
+        this.edits.note(change);
+        this.marks.edited();
+      }),
+      vscode.workspace.onDidCloseTextDocument(({ uri }) => this.edits.forgetAll(uri.toString())),
+      programs.onChange(({ state, stale, texts }) => {
+        if (!this.host && state === 'done' && !stale) this.edits.forget(texts);
+      }),
+    ];
+  }
 
   dispose(): void {
     this.host?.dispose();
     this.marks.dispose();
+    vscode.Disposable.from(...this.subscriptions).dispose();
   }
 
   /** The trace of a property; without a name, the user chooses one. */
@@ -41,7 +58,9 @@ export class TraceView implements vscode.Disposable {
   /** A trace from a file, such as one that the view has saved. */
   async openFile(file: vscode.Uri): Promise<void> {
     const read = await readTrace(this.client, file);
-    if (read) await this.show(read.program, { given: read.trace, step: 0 }, file);
+    if (!read) return;
+    this.edits.clear();
+    await this.show(read.program, { given: read.trace, step: 0 }, file);
   }
 
   private async show(uri: vscode.Uri, show: panel.Show, file?: vscode.Uri): Promise<void> {
@@ -85,6 +104,7 @@ export class TraceView implements vscode.Disposable {
   }
 
   private take(host: PanelHost): void {
+    host.edits = this.edits;
     host.onStep((step) => this.step(step));
     host.onEnd(() => {
       if (this.host !== host) return;

@@ -68,9 +68,19 @@ export class Edits {
     this.known.delete(uri);
   }
 
+  /** All texts are as they were for what is shown now. */
+  clear(): void {
+    this.known.clear();
+  }
+
   /** Where a position of the older text is now. */
   now(uri: string, place: panel.Position): panel.Position {
     return (this.known.get(uri) ?? []).reduce(after, place);
+  }
+
+  /** Where a part of the older text is now; empty if it was removed. */
+  rangeNow(uri: string, { start, end }: panel.Range): panel.Range {
+    return { start: this.now(uri, start), end: this.now(uri, end) };
   }
 
   former(location: panel.Location): panel.Location {
