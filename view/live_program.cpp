@@ -130,7 +130,18 @@ public:
     return pictureJson(now->program, params, !now->error.empty());
   }
 
-  Answer source(const std::string& uri) override { return sourceJson(current()->program, uri); }
+  /// With the text that was verified, if it is another one: traces have its places.
+  Answer source(const std::string& uri) override {
+    std::unique_lock lock(mutex);
+    const auto now = loaded;
+    const auto then = verified ? verified->loaded : loaded;
+    lock.unlock();
+    auto found = sourceJson(now->program, uri);
+    const auto older = sourceJson(then->program, uri);
+    if (found && older && older->at("text") != found->at("text"))
+      (*found)["verified"] = older->at("text");
+    return found;
+  }
 
   Answer simulate(const OrderedJson& params) override {
     const auto asked = report::readChosenRun(params);

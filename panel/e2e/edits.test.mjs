@@ -17,9 +17,10 @@ describe('a program that is edited while its trace is open', () => {
     assert.notEqual(change(text), text);
     writeFileSync(path, change(text));
   };
-  /** Resolves when the page has the verdicts on another text; call it before writing the text. */
-  const verified = () => it.waitForResponse(async (response) => response.url().endsWith('/api/news')
-    && (await response.json()).result.news.some(({ method, params }) => method === 'program' && params.state === 'done'));
+  /** Resolves when the page has the program in this state; call it before writing the text. */
+  const news = (state) => it.waitForResponse(async (response) => response.url().endsWith('/api/news')
+    && (await response.json()).result.news.some(({ method, params }) => method === 'program' && params.state === state));
+  const verified = () => news('done');
   /** Marks the rows of verdicts; `newRows` are those drawn since. */
   const markRows = () => it.evaluate(() => document.querySelectorAll('.verdict').forEach((row) => { row.isMarked = true; }));
   const newRows = () => it.evaluate(() => [...document.querySelectorAll('.verdict')].filter((row) => !row.isMarked).map((row) => row.dataset.name));
@@ -61,6 +62,23 @@ describe('a program that is edited while its trace is open', () => {
     await search.fill('');
   });
 
+  test('the text has errors: the mark stays with its text', async () => {
+    const { location } = steps.at(-5);
+    const text = readFileSync(location.file, 'utf8');
+    const broken = news('errors');
+    writeFileSync(location.file, `; one\n(defskill half\n${text}`);
+    await broken;
+    await eventually(async () => assert.equal((await marked(it)).lines[0], location.begin.line + 5));
+    const before = await step();
+    await it.locator('.steps').press('ArrowDown');
+    await it.locator('.steps').press('ArrowUp');
+    await eventually(async () => assert.deepEqual([await step(), (await marked(it)).lines[0]], [before, location.begin.line + 5]));
+    const done = verified();
+    writeFileSync(location.file, text);
+    await done;
+    await eventually(async () => assert.equal((await marked(it)).lines[0], location.begin.line + 3));
+  });
+
   test('the trace is another one: the step that does the same is shown, and it says so', async () => {
     const was = await it.locator('.step.current .words').textContent();
     const before = await scrolls();
@@ -80,6 +98,7 @@ describe('a program that is edited while its trace is open', () => {
     await done;
     await it.locator('.trace-view .badge.holds:visible').waitFor();
     assert.equal(await it.locator('.step:visible').count(), 0);
+    await eventually(async () => assert.deepEqual((await marked(it)).lines, []));
     await it.locator(`.verdict.good[data-name="${name}"]`).waitFor();
     assert.ok((await newRows()).includes(name));
     assert.ok((await newRows()).length < (await it.locator('.verdict').count()));

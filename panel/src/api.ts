@@ -274,7 +274,8 @@ export interface Requests {
   /** Another part of a recording, from a time on; without one, its last. */
   part: [{ name: string; from?: number }, Trace];
   picture: [PictureParams, Picture];
-  source: [{ uri: string }, { uri: string; text: string }];
+  /** `verified`: the text that the verdicts are for, if it is another one */
+  source: [{ uri: string }, { uri: string; text: string; verified?: string }];
   save: [{ name: string; type: string; text?: string; base64?: string }, { saved: boolean }];
   /** The host shows what it has read, by `show`. */
   open: [Record<string, never>, null];

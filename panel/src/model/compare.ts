@@ -1,6 +1,6 @@
 import type { Step, Trace } from '../api.ts';
 
-/** Two traces side by side: a step of one, of the other, or of both. */
+/** Two lists side by side, such as the steps of traces: an element of one, of the other, or of both. */
 export interface Pair {
   left: number | null;
   right: number | null;
@@ -11,13 +11,15 @@ const key = (step: Step): string => `${step.actor}\u0000${step.description}`;
 /** Beyond this many differences, the rest counts as different: nobody would read it. */
 const mostDifferences = 2000;
 
-/**
- * Aligns two lists of steps with as few differences as possible (Myers, "An O(ND) difference algorithm and its variations", 1986). Steps are equal
- * if their actors and descriptions are.
- */
-export function compare(left: Trace, right: Trace): Pair[] {
-  const a = left.steps.map(key);
-  const b = right.steps.map(key);
+/** Aligns the steps of two traces. Steps are equal if their actors and descriptions are. */
+export const compare = (left: Trace, right: Trace): Pair[] => align(left.steps.map(key), right.steps.map(key));
+
+/** Where the lines of an older text are in a newer one; those that are missing were removed or changed. */
+export const movedLines = (older: string, newer: string): Map<number, number> =>
+  new Map(align(older.split('\n'), newer.split('\n')).flatMap(({ left, right }) => (left === null || right === null ? [] : [[left, right]])));
+
+/** Aligns two lists with as few differences as possible (Myers, "An O(ND) difference algorithm and its variations", 1986). */
+function align(a: string[], b: string[]): Pair[] {
   let begin = 0;
   while (begin < a.length && begin < b.length && a[begin] === b[begin]) ++begin;
   let tail = 0;

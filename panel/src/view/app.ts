@@ -1,4 +1,4 @@
-import type { Hello, Host, Location, News, NewsOf, Program, Remembered, Show, Trace, Verdict } from '../api.ts';
+import type { Hello, Host, News, NewsOf, Program, Remembered, Show, Told, Trace, Verdict } from '../api.ts';
 import { ActorColours } from '../model/colours.ts';
 import { runOf } from '../model/chosen_run.ts';
 import { open } from '../model/parse.ts';
@@ -60,13 +60,14 @@ class App {
 
   constructor(root: HTMLElement, host: Host, private readonly keys: EarlyKeys, private readonly hello: Hello) {
     this.root = root;
-    this.host = this.watched(host);
+    // the last picture and simulation without errors are shown until there are others
+    this.host = this.watched(host, () => this.program?.state === 'errors');
     this.remembered = { ...hello.remembered };
     const saver = new Saver(this.host, hello.can.save, (words) => this.say(words));
     this.verdicts = hello.layout === 'all' && !hello.run ? new VerdictsView((verdict, focus) => void this.choose(verdict, focus)) : null;
     this.source = hello.can.source ? new SourceView(this.host, (location) => this.automaton.follows(location)) : null;
     this.automaton = new AutomatonView(this.host, saver, (picture) => this.remember({ picture }), this.colours);
-    this.trace = new TraceView(this.host, saver, {
+    this.trace = new TraceView(this.watched(host, () => true), saver, {
       stepped: (byUser) => this.stepped(byUser), openFile: () => this.openFile(), pinned: (pinned) => this.remember({ pinned }),
       watches: (watches) => this.remember({ watches }),
     }, this.colours);
@@ -82,16 +83,15 @@ class App {
     void this.begin();
   }
 
-  /** The host, with calls to show places passed on to the source view, if there is one. */
-  private watched(host: Host): Host {
+  /** The host, with calls to show places passed on to the source view, if there is one. `isOld`: they are places in the text that was verified. */
+  private watched(host: Host, isOld: () => boolean): Host {
     return {
       request: (method, params) => host.request(method, params),
       onNews: (listener) => host.onNews(listener),
       tell: (method, params) => {
         host.tell(method, params);
-        if (method !== 'reveal') return;
-        const { location, focus } = params as { location: Location; focus: boolean };
-        void this.source?.reveal(location, focus);
+        if (method === 'step' && params === null) this.source?.mark(null);
+        if (method === 'reveal') void this.source?.reveal(params as Told['reveal'], isOld());
       },
     };
   }

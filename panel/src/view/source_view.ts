@@ -1,9 +1,15 @@
-import type { Host, Live, Location, Program } from '../api.ts';
+import type { Host, Live, Location, Program, Range, Told } from '../api.ts';
+import { movedLines } from '../model/compare.ts';
 import { highlight } from '../model/highlight.ts';
 import { Rows } from '../model/virtual.ts';
 import { h, onceAFrame } from './dom.ts';
 
 const lineHeight = 20;
+
+interface Source {
+  text: string;
+  verified?: string;
+}
 
 /** The program's text beside the views, with the current range marked. */
 export class SourceView {
@@ -11,11 +17,15 @@ export class SourceView {
   private readonly files = h('select', { class: 'files', 'aria-label': 'File', onchange: () => void this.open(this.files.value) });
   private readonly space = h('div', { class: 'source-space' });
   private readonly scroller: HTMLElement;
-  private readonly texts = new Map<string, Promise<string>>();
+  private readonly texts = new Map<string, Promise<Source>>();
   private lines: ReturnType<typeof highlight> = [];
   private rows = new Rows([]);
   private uri: string | null = null;
   private marked: Location | null = null;
+  /** the marked place is one in the text that was verified */
+  private isOld = false;
+  /** where the lines of that text are; null: it is the text that is shown */
+  private moved: Map<number, number> | null = null;
   /** of a run that is watched: lines where something runs, and what `printf` has printed */
   private live: Live = { active: [], messages: [] };
   /** the file to show; late answers for another are ignored */
@@ -37,9 +47,10 @@ export class SourceView {
     if (first) await this.load(first);
   }
 
-  /** Marks a range without scrolling, if the view does not follow. */
+  /** Marks a range of the text that was verified, without scrolling, if the view does not follow. */
   mark(location: Location | null): void {
     this.marked = location;
+    this.isOld = true;
     this.drawNow();
   }
 
@@ -49,12 +60,14 @@ export class SourceView {
     this.drawNow();
   }
 
-  async reveal(location: Location, focus: boolean): Promise<void> {
+  /** `isOld`: it is a place in the text that was verified. */
+  async reveal({ location, focus }: Told['reveal'], isOld: boolean): Promise<void> {
     this.marked = location;
+    this.isOld = isOld;
     await this.open(location.uri);
     if (this.marked !== location || this.uri !== location.uri) return; // something else was requested meanwhile
     const rows = this.rows;
-    const { start, end } = location.range;
+    const { start, end } = this.range() ?? location.range;
     const last = Math.min(end.line, rows.count - 1);
     if (start.line < rows.count) {
       const margin = 4 * lineHeight;
@@ -71,26 +84,27 @@ export class SourceView {
 
   private async load(uri: string): Promise<void> {
     this.wanted = uri;
-    const text = await this.textOf(uri);
+    const { text, verified } = await this.textOf(uri);
     if (this.wanted !== uri) return;
     const isOther = this.uri !== uri;
     this.uri = uri;
     this.files.value = uri;
     this.lines = highlight(text);
+    this.moved = verified === undefined ? null : movedLines(verified, text);
     this.rows = new Rows(new Float64Array(this.lines.length).fill(lineHeight));
     this.space.style.height = `${this.rows.height}px`;
     if (isOther) this.scroller.scrollTop = 0;
     this.drawNow();
   }
 
-  private async textOf(uri: string): Promise<string> {
-    if (!this.texts.has(uri)) this.texts.set(uri, this.host.request('source', { uri }).then((it) => it.text));
+  private async textOf(uri: string): Promise<Source> {
+    if (!this.texts.has(uri)) this.texts.set(uri, this.host.request('source', { uri }));
     const asked = this.texts.get(uri)!;
     try {
       return await asked;
     } catch (error) {
       if (this.texts.get(uri) === asked) this.texts.delete(uri);
-      return `; ${(error as Error).message}`;
+      return { text: `; ${(error as Error).message}` };
     }
   }
 
@@ -116,14 +130,23 @@ export class SourceView {
   }
 
   private isMarked(line: number): boolean {
-    const range = this.marked?.uri === this.uri ? this.marked?.range : null;
+    const range = this.range();
     return !!range && line >= range.start.line && line <= range.end.line;
+  }
+
+  /** The marked part of the text that is shown, unless it was removed. */
+  private range(): Range | null {
+    if (this.marked?.uri !== this.uri) return null;
+    const { start, end } = this.marked!.range;
+    if (!this.isOld || !this.moved) return { start, end };
+    const [first, last] = [this.moved.get(start.line), this.moved.get(end.line)];
+    return first === undefined || last === undefined ? null : { start: { ...start, line: first }, end: { ...end, line: last } };
   }
 
   /** Coloured tokens, split at the ends of the marked range. */
   private lineText(at: number): HTMLElement {
     const tokens = this.lines[at] ?? [];
-    const range = this.isMarked(at) ? this.marked!.range : null;
+    const range = this.isMarked(at) ? this.range() : null;
     const indent = (tokens[0]?.text.match(/^\s*/)?.[0] ?? '').length;
     const from = range && range.start.line === at ? range.start.character : indent;
     const to = range && range.end.line === at ? range.end.character : Infinity;
