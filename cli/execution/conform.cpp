@@ -150,7 +150,7 @@ void addConform(CLI::App& app, int& exitCode) {
   show(command
            ->add_option("--tolerance", arguments->tolerance,
                         "Tolerance on the intervals of actions, in seconds (default 0)")
-           ->check(positiveSeconds()),
+           ->check(secondsFromZero()),
        group::kSubject, "SECONDS");
   show(command->add_flag("--edited", arguments->isEdited,
                          "Ignore where in the program steps are: it has been edited since the "

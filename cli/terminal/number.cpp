@@ -11,6 +11,7 @@ namespace proskill::cli {
 namespace {
 
 constexpr auto kLargest = std::numeric_limits<std::uint64_t>::max();
+constexpr double kLongest = 1e9; // seconds; thirty years
 
 /// \return whether all of the word is a number
 template <class Number> std::errc readNumber(const std::string& word, Number& number) {
@@ -40,14 +41,24 @@ CLI::Validator integerBetween(std::uint64_t least, std::uint64_t most) {
 
 CLI::Validator portNumber() { return integerBetween(0, std::numeric_limits<std::uint16_t>::max()); }
 
+CLI::Validator secondsFromZero() {
+  return {[](std::string& word) {
+            double seconds = 0;
+            const auto error = readNumber(word, seconds);
+            return error == std::errc() && seconds >= 0 && seconds <= kLongest
+                       ? std::string()
+                       : fmt::format("`{}` is not a number of seconds from 0 to 1e9", word);
+          },
+          ""};
+}
+
 CLI::Validator positiveSeconds() {
-  constexpr double kLongest = 1e9; // thirty years
   return {[](std::string& word) {
             double seconds = 0;
             const auto error = readNumber(word, seconds);
             return error == std::errc() && seconds > 0 && seconds <= kLongest
                        ? std::string()
-                       : "`" + word + "` is not a number of seconds between 0 and 1e9";
+                       : fmt::format("`{}` is not a number of seconds above 0, up to 1e9", word);
           },
           ""};
 }

@@ -18,6 +18,9 @@ CLI::Validator portNumber();
 /// A positive, finite length of time in seconds; rejects `nan` and `1e999`.
 CLI::Validator positiveSeconds();
 
+/// The same, or 0.
+CLI::Validator secondsFromZero();
+
 /// At most the largest number: no memory limit is above that.
 [[nodiscard]] std::uint64_t bytesOfMiB(std::uint64_t mebibytes);
 

@@ -372,6 +372,10 @@ TEST_CASE("conform judges recordings, whole or cut off") {
   }
   CHECK(conform(kRunTree + "/docs/tour/late.json").exitCode == 1);
   CHECK(conform(kRunTree + "/docs/tour/late.json", {"--tolerance", "1.5"}).exitCode == 0);
+  CHECK(conform(kRunTree + "/docs/tour/late.json", {"--tolerance", "0"}).exitCode == 1);
+  const auto negative = conform(kRunTree + "/docs/tour/late.json", {"--tolerance=-1"});
+  CHECK(negative.exitCode == 2);
+  CHECK(negative.err.find("`-1` is not a number of seconds from 0 to 1e9") != std::string::npos);
   CHECK(conform(files.write("no.json", "{}")).exitCode == 2);
   CHECK(conform(files.path("missing.json")).exitCode == 2);
 }
