@@ -18,13 +18,22 @@ constexpr auto kReserved = std::to_array<std::string_view>(
      "stop",  "abc",      "enum",  "bool",        "float", "int",    "str",    "Actions",  "Event",
      "Stop",  "Platform", "Skill", "platform_of", "mro",   "name",   "value"});
 
+/// Python reserves members such as `_X_` of enumerations, and `__X` does not become one.
+std::string memberName(std::string_view word) {
+  const auto begin = word.find_first_not_of('_');
+  if (begin == 0) return upperSnake(word);
+  const auto rest = begin == std::string_view::npos ? std::string_view() : word.substr(begin);
+  const bool isName = !rest.empty() && (rest.front() < '0' || rest.front() > '9');
+  return (isName ? "" : "VALUE_") + upperSnake(rest);
+}
+
 /// An Enum class whose members have the program's names as values.
 std::string enumeration(const std::string& name, const std::string& about,
                         const std::vector<std::string>& words) {
   std::string text = fmt::format("\n\nclass {}(enum.Enum):\n    \"\"\"{}\"\"\"\n\n", name, about);
   StubNames members(kReserved);
   for (const auto& word : words)
-    text += fmt::format("    {} = \"{}\"\n", members.unique(upperSnake(word)), word);
+    text += fmt::format("    {} = \"{}\"\n", members.unique(memberName(word)), word);
   return text;
 }
 

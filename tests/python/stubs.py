@@ -110,6 +110,13 @@ class Stubs(unittest.TestCase):
         said = [line.get("description") for line in lines]
         self.assertEqual(said.count("fault: its action failed: NotImplementedError: "), 3, f"{said}\n{done.stderr}")
 
+    def test_a_result_may_have_a_name_that_enumerations_reserve(self):
+        self.change("(blocked lost)", "(_x_ x __init__ _ __2)")
+        self.stubs()
+        done = self.python("-c", "import actions; print(*(f'{it.name}={it.value}' for it in actions.DriveResult))")
+        self.assertEqual(done.stdout.split(), ["ARRIVED=arrived", "X_=_x_", "X=x", "INIT__=__init__", "VALUE_=_",
+                                               "VALUE_2=__2"], done.stderr)
+
     def test_what_a_user_wrote_is_kept(self):
         self.stubs()
         self.fill_in()
