@@ -32,6 +32,9 @@ struct Options {
   /// Executed: the model includes the program's environment and the most general caller; otherwise
   /// the platform reports events and interrupts from outside.
   bool environment = false;
+  /// Compact: an action that is asked to stop ends in a state of its own, as in the executed
+  /// edition. This state is left at once.
+  bool separateStops = false;
 };
 
 /// The verdict that is good news.

@@ -21,7 +21,7 @@ public:
     process.comment = context.definitionOf(*skill.definition);
     if (context.isRuntime())
       RuntimeAction(context, skill, frame).addTo(process);
-    else if (context.isExecuted())
+    else if (context.isExecuted() || context.options.separateStops)
       ExecutedAction(context, skill, frame).addTo(process);
     else
       addVerified(process);

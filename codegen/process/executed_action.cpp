@@ -29,15 +29,26 @@ void ExecutedAction::addTo(fiacre::Process& process) {
   addState(process, "run", frame.place(), select(std::move(alternatives)),
            action ? "Action: " + context.origins.excerpt(skill.file(), action->range) : "");
   for (const auto& [state, ending] : stopping)
-    addState(process, state, frame.place(),
-             sequence({synchronise(made.stoppedPort), frame.end(ending)}),
+    addState(process, state, frame.place(), sequence({stopped(), frame.end(ending)}),
              "Its action was asked to stop.");
   frame.addRest(process);
-  context.performed.push_back(std::move(made));
+  if (context.isExecuted()) context.performed.push_back(std::move(made));
 }
 
-/// The results that the action may return; any other counts as an interruption.
 std::vector<Statement> ExecutedAction::results() {
+  return context.isExecuted() ? reportedResults() : timedResults();
+}
+
+std::vector<Statement> ExecutedAction::timedResults() {
+  std::vector<Statement> all;
+  for (const auto& outcome : outcomesOf(skill))
+    all.push_back(
+        sequence({wait(made.interval.value_or(fiacre::Interval{})), frame.outcome(outcome)}));
+  return all;
+}
+
+/// The results that the platform may report; any other counts as an interruption.
+std::vector<Statement> ExecutedAction::reportedResults() {
   std::vector<Statement> all;
   made.results = resultsOf(skill);
   auto result = made.results.begin();
@@ -71,12 +82,18 @@ std::vector<Statement> ExecutedAction::breaks() {
 
 Statement ExecutedAction::breakOff(Statement trigger, const std::string& reason,
                                    const Ending& ending) {
-  if (made.stoppedPort.empty()) made.stoppedPort = context.names.foreign({skill.name(), "stopped"});
   const auto state = "stopping_" + reason;
   const auto known = [&](const auto& each) { return each.first == state; };
   if (std::ranges::none_of(stopping, known)) stopping.emplace_back(state, ending);
   const auto words = frame.origin(ending.range, "asks its action to stop");
   return sequence({std::move(trigger), at(words, to(state))});
+}
+
+/// Waits for the end of an action that was asked to stop.
+Statement ExecutedAction::stopped() {
+  if (!context.isExecuted()) return atOnce();
+  if (made.stoppedPort.empty()) made.stoppedPort = context.names.foreign({skill.name(), "stopped"});
+  return synchronise(made.stoppedPort);
 }
 
 std::vector<Performed::Result> resultsOf(const SkillPlan& skill) {

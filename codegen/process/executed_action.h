@@ -9,6 +9,7 @@ namespace proskill::codegen {
 
 /// A basic skill in the executed edition: like the compact one, but a port reports the end of its
 /// action, and a skill that cancels the action waits in a state `stopping_…` until it has ended.
+/// With Options::separateStops it has these states, but the times of the compact edition.
 class ExecutedAction {
 public:
   ExecutedAction(Context& context, const SkillPlan& skill, SkillFrame& frame);
@@ -17,9 +18,12 @@ public:
 
 private:
   [[nodiscard]] std::vector<fiacre::Statement> results();
+  [[nodiscard]] std::vector<fiacre::Statement> timedResults();
+  [[nodiscard]] std::vector<fiacre::Statement> reportedResults();
   [[nodiscard]] std::vector<fiacre::Statement> breaks();
   [[nodiscard]] fiacre::Statement breakOff(fiacre::Statement trigger, const std::string& reason,
                                            const Ending& ending);
+  [[nodiscard]] fiacre::Statement stopped();
 
   Context& context;
   const SkillPlan& skill;

@@ -39,14 +39,14 @@ public:
   /// \return why no run explains the step, without its number
   std::optional<ConformResult> follow(const RecordedStep& step) {
     try {
-      if (noteStop(step)) return std::nullopt;
+      if (options.tolerance == 0 && noteStop(step)) return std::nullopt;
       if (auto late = stoppedLate(step)) return late;
       auto before = waitUntil(step.date);
       auto after = taken(before, step);
       if (after.empty()) return explained(before, step);
       now = std::move(after);
       date = step.date;
-      asked.erase(step.what.actor);
+      if (!noteStop(step)) asked.erase(step.what.actor);
       return std::nullopt;
     } catch (const TooMany&) {
       return ConformResult{.verdict = Conformance::Unknown,
@@ -59,7 +59,8 @@ public:
 private:
   using States = std::set<Concrete>;
 
-  /// In the model an action stops as soon as it is asked to, so a stop request is not a step.
+  /// \return whether the step asks an action to stop. Without a tolerance an action stops as soon
+  /// as it is asked to, so that this is not a step of the model.
   bool noteStop(const RecordedStep& step) {
     if (step.stops.empty()) return false;
     asked[step.stops] = step.date;

@@ -46,24 +46,25 @@ private:
     made.isHidden.push_back(std::ranges::all_of(transition.parts, isWatchdog) ||
                             (ofEnvironment && !hasEnvironment));
     made.environmentIsHidden = made.environmentIsHidden || (ofEnvironment && !hasEnvironment);
-    const bool isEnd = is(actions) && transition.port == verify::kNone && isInRun(transition);
-    const bool isResult = isEnd && !isBreak(transition);
+    const bool isResult = is(actions) && transition.port == verify::kNone &&
+                          locationOf(transition) == "run" && !isBreak(transition);
+    const bool isStop = is(actions) && locationOf(transition).starts_with("stopping_");
     made.isOfAction.push_back(isResult);
     made.isOfEvent.push_back(transition.parts.size() == 1 && transition.port != verify::kNone);
     auto& interval = transition.interval;
     interval.lower *= scale;
     if (interval.upper) *interval.upper *= scale;
     made.promised.push_back(interval);
-    if (isEnd || (transition.port != verify::kNone && !hasEnvironment)) {
+    if (isResult || isStop || (transition.port != verify::kNone && !hasEnvironment)) {
       interval.lower = std::max<Nanoseconds>(0, interval.lower - tolerance);
       if (interval.upper) *interval.upper += tolerance;
     }
     addOrigins(id);
   }
 
-  [[nodiscard]] bool isInRun(const verify::Transition& transition) const {
+  [[nodiscard]] const std::string& locationOf(const verify::Transition& transition) const {
     const auto& path = made.system.paths[transition.parts.front()];
-    return made.system.instances[path.instance].locations[path.location] == "run";
+    return made.system.instances[path.instance].locations[path.location];
   }
 
   /// Whether it is a stop request or a failed guard. Those start with a test; results do not.
@@ -104,7 +105,7 @@ const std::vector<TransitionId>& ConformanceModel::candidates(const RecordedStep
 std::expected<std::unique_ptr<const ConformanceModel>, NotExecutable>
 conformanceModel(const analysis::Program& program, const Executable& executed,
                  const std::string& mainSkill, bool environment, Nanoseconds tolerance) {
-  auto model = codegen::generate(program, {.mainSkill = mainSkill});
+  auto model = codegen::generate(program, {.mainSkill = mainSkill, .separateStops = tolerance > 0});
   if (!model) return std::unexpected(std::move(model.error()));
   auto made = std::make_unique<ConformanceModel>();
   made->model = std::move(*model);

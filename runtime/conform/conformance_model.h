@@ -8,7 +8,8 @@
 
 namespace proskill::runtime {
 
-/// The verified model, prepared for following recorded runs. Dates are in nanoseconds.
+/// The verified model, prepared for following recorded runs. Dates are in nanoseconds. With a
+/// tolerance, an action that is asked to stop takes time, as in the executed edition.
 struct ConformanceModel {
   codegen::Model model;
   verify::System system;
@@ -24,7 +25,8 @@ struct ConformanceModel {
 };
 
 /// \param executed the program in executable form
-/// \param tolerance by which the intervals of actions are widened
+/// \param tolerance by which the intervals of actions are widened, and how long they may take to
+/// stop
 [[nodiscard]] std::expected<std::unique_ptr<const ConformanceModel>, NotExecutable>
 conformanceModel(const analysis::Program& program, const Executable& executed,
                  const std::string& mainSkill, bool environment, Nanoseconds tolerance);

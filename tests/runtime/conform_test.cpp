@@ -79,8 +79,9 @@ private:
 };
 
 /// A platform with occasional interrupts of everything and frequent events, except those with
-/// `:every`.
-std::string interruptions(const runtime::Executable& executable) {
+/// `:every`. \param stops the interval of the time that each action takes to stop
+std::string interruptions(const runtime::Executable& executable,
+                          const std::string& stops = "[0,0]") {
   std::string interrupts;
   std::string events;
   for (const auto& signal : executable.model.signals) {
@@ -88,7 +89,12 @@ std::string interruptions(const runtime::Executable& executable) {
     auto& to = signal.interrupts ? interrupts : events;
     to += fmt::format("{}\"{}\":[0.5,6]", to.empty() ? "" : ",", signal.name);
   }
-  return "{\"interrupts\":{" + interrupts + "},\"events\":{" + events + "}}";
+  std::string actions;
+  for (const auto& action : executable.model.performed)
+    actions +=
+        fmt::format("{}\"{}\":{{\"stops\":{}}}", actions.empty() ? "" : ",", action.skill, stops);
+  return "{\"interrupts\":{" + interrupts + "},\"events\":{" + events + "},\"actions\":{" +
+         actions + "}}";
 }
 
 } // namespace
@@ -249,7 +255,10 @@ TEST_CASE("a recording that claims what the program contradicts does not conform
           i);
 }
 
-TEST_CASE("every simulated run of a random program conforms to the model that is verified") {
+namespace {
+
+/// Runs random programs on a platform whose actions take up to a time to stop.
+void judgeRandomRuns(const std::string& stops, runtime::Nanoseconds tolerance) {
   std::size_t judgedRuns = 0;
   std::size_t steps = 0;
   const auto [first, end] = test::seedsOr(0, 400);
@@ -257,9 +266,9 @@ TEST_CASE("every simulated run of a random program conforms to the model that is
     const auto text =
         test::textOf(test::randomProgram(seed, test::varied(seed, {.properties = 0})));
     const auto executable = test::executableOf(text);
-    const auto ran = test::runOf(*executable, seed, "", interruptions(*executable), 30);
+    const auto ran = test::runOf(*executable, seed, "", interruptions(*executable, stops), 30);
     if (ran.steps.size() > 400) continue; // probably time has stopped
-    const auto result = judged(text, ran.recorded);
+    const auto result = judged(text, ran.recorded, tolerance);
     INFO("seed " << seed << "\n" << text << textOf(ran.recorded));
     INFO("step " << result.step << ": " << result.why << "; " << result.assumption);
     CHECK(result.verdict == Conformance::Conforms);
@@ -268,6 +277,40 @@ TEST_CASE("every simulated run of a random program conforms to the model that is
   }
   CHECK(judgedRuns > (end - first) * 7 / 10);
   CHECK(steps > 5 * judgedRuns);
+}
+
+} // namespace
+
+TEST_CASE("every simulated run of a random program conforms to the model that is verified") {
+  judgeRandomRuns("[0,0]", 0);
+}
+
+TEST_CASE("with a tolerance, runs conform whose actions take time to stop") {
+  judgeRandomRuns("[0,0.25]", runtime::kSecond / 4);
+}
+
+TEST_CASE("a tolerance forgives a slow stop, whatever happens meanwhile") {
+  const std::string text = R"(
+    (defsv sky :states (Clear Stormy) :init Clear)
+    (defevent storm :effects (sky Stormy))
+    (defevent clears :effects (sky Clear))
+    (defskill fly
+      :invariant (calm (:guard (sky Clear)))
+      :time_interval [2,9] :action (fly) :success there)
+    (defskill warn :time_interval [1,1] :action (warn) :success warned)
+    (defskill watch :monitor t :body ((^ (sky Stormy)) (warn)))
+    (defskill mission :success done :body ((fly) (success done))))";
+  const auto ran =
+      test::runOf(*test::executableOf(text, false), 0,
+                  R"({"signals":[{"at":1,"event":"storm"},{"at":1.2,"event":"clears"}]})",
+                  R"({"actions":{"fly":{"stops":[0.5,0.5]}}})");
+  INFO(ran.text());
+  CHECK(judged(text, ran.recorded, runtime::kSecond / 2).verdict == Conformance::Conforms);
+  CHECK(judged(text, ran.recorded, runtime::kSecond / 4).assumption ==
+        "an action stops at once; that of `fly` took 0.5 s");
+  const auto exact = judged(text, ran.recorded);
+  CHECK(exact.verdict == Conformance::Deviates);
+  CHECK(exact.assumption == "an action stops at once; that of `fly` has not stopped after 0.2 s");
 }
 
 TEST_CASE("a run conforms only where events come as often as they say") {
