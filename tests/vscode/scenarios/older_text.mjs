@@ -19,8 +19,9 @@ const kText = `${kLamp}
 `;
 const kCall = '(light)';
 const kLines = kText.split('\n');
-/** The first lines of the text while it has an error. */
-const kTyped = '; one\n; two\n(defskill half\n';
+/** The first lines of the text while it has an error; the editor would continue a comment. */
+const kTyped = '(defskill half\n\n\n';
+const kInserted = kTyped.split('\n').length - 1;
 
 const editorOf = (page) => page.locator(`.monaco-editor[data-uri$="${kUriEnd}"]`);
 const lineOf = async (frame) => Number(/:(\d+)$/.exec(await frame.locator('.step.current .place').textContent())[1]);
@@ -34,13 +35,16 @@ async function begin({ editor, page, root }) {
   await editor.statusSays(/1 bad/, 60_000);
 }
 
-/** Inserts lines above everything, the last of which is an error. */
+/** Inserts lines above everything, with an error. */
 async function breakText({ editor, page }) {
   await editor.press('Control+1');
   await editor.goTo(1);
   await page.keyboard.insertText(kTyped);
   await editor.statusSays(/errors/);
 }
+
+const caretIn = ({ page }, line) => expect(`the caret in line ${line}`, async () =>
+  Number(await editorOf(page).locator('.active-line-number').first().textContent()) === line, 20_000);
 
 async function end({ editor, root }) {
   await editor.press('Control+1');
@@ -58,19 +62,18 @@ export const scenarios = {
     await breakText(world);
     await frame.locator('.stale-mark').waitFor();
     await editor.picture('older_trace-errors');
-    const inserted = kTyped.split('\n').length - 1;
     const marked = (line) => expect(`a mark in line ${line}`, async () => (await editor.markedLines(kUriEnd))[0] === line, 20_000);
     await new Promise((resolve) => setTimeout(resolve, 2200)); // the editor does not follow within two seconds after an edit
     await frame.locator('.steps').press('Home');
     for (let step = 0; step < 4; ++step) {
       await frame.locator(`#step-${step}.current`).waitFor();
-      await marked((await lineOf(frame)) + inserted);
+      await marked((await lineOf(frame)) + kInserted);
       await frame.locator('.steps').press('ArrowDown');
     }
     await editor.picture('older_trace-step');
     await frame.locator('.steps').press('Home');
     await frame.locator('.steps').press('ArrowDown');
-    const call = kLines.findIndex((line) => line.includes(`(${kCall}`)) + 1 + inserted;
+    const call = kLines.findIndex((line) => line.includes(`(${kCall}`)) + 1 + kInserted;
     await marked(call);
     await frame.locator('.steps').press('Enter');
     await expect('the caret at the step', async () => (await editor.caret()).startsWith(`Ln ${call}, `));
@@ -96,9 +99,27 @@ export const scenarios = {
     await breakText(world);
     await frame.locator('.automaton-view.stale').waitFor();
     await frame.locator('g.node', { hasText: 'light' }).first().click();
-    const active = editorOf(page).locator('.active-line-number');
-    await expect('the caret at the call', async () => Number(await active.first().textContent()) === line + kTyped.split('\n').length - 1, 10_000);
+    await caretIn(world, line + kInserted);
     await editor.picture('older_picture');
+    await end(world);
+  },
+
+  /** The last valid run stays, too: a step that is entered leads to where its text is now. */
+  async older_run(world) {
+    const { editor } = world;
+    await begin(world);
+    await editor.command('ProSkill: Simulate: Choose What Happens Next');
+    const frame = await editor.panel('.simulation-view');
+    for (const words of ['starts', 'calls light']) {
+      const before = await frame.locator('.row.step').count();
+      await frame.locator('.choice', { hasText: words }).first().click();
+      await frame.locator('.row.step').nth(before).waitFor();
+    }
+    await breakText(world);
+    await frame.locator('.notice.stale', { hasText: 'This is the run as it was before' }).waitFor();
+    await frame.locator('.row.step').nth(1).dblclick();
+    await caretIn(world, kLines.findIndex((it) => it.includes(`(${kCall}`)) + 1 + kInserted);
+    await editor.picture('older_run');
     await end(world);
   },
 };
