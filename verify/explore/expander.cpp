@@ -278,7 +278,7 @@ bool Expander::lookUp(Successor& successor, const SoughtRoot& root, Claimer* cla
 }
 
 bool Expander::isCovered(const Successor& successor) const {
-  if (successor.known == RootTable::kStored) return true;
+  if (successor.known == RootTable::kStored) return true; // covers() would say so, but later
   return successor.known != kNone &&
          graph.covers(successor.known, timing.zones().matrix(successor.zone), reductions.inclusion);
 }

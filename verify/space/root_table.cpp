@@ -11,15 +11,13 @@ namespace {
 constexpr std::size_t kFewestSlots = 256;
 constexpr std::uint32_t kAllotment = 32;
 constexpr std::size_t kNowhere = SIZE_MAX;
+constexpr std::uint32_t kNewHalves = 512;    ///< of states, at most, between two checks of growth
 constexpr std::uint64_t kSmallMatrix = 4096; ///< bytes that any table may take
 
 /// Whether a table with so many slots has to grow before another entry.
 bool isFull(std::size_t count, std::size_t slots) { return (count + 1) * 20 > slots * 17; }
 
 std::size_t grown(std::size_t slots) { return slots + slots / 5 * 2; }
-
-/// Slots of a table that was a matrix.
-std::size_t slotsFor(std::size_t entries) { return entries + entries / 3 * 2; }
 
 } // namespace
 
@@ -154,9 +152,15 @@ bool RootTable::isMatrixSmaller(std::uint64_t bytes) const {
          bytes <= std::max<std::uint64_t>(kSmallMatrix, count * sizeof(std::uint32_t));
 }
 
+/// Slots of a table for what is stored and so many more entries.
+std::size_t RootTable::slotsOfNextTable(std::size_t more) const {
+  const std::size_t entries = used() + more;
+  return std::max(grown(slots.size()), entries + entries / 3 * 2);
+}
+
 /// The old table is given back before the new one is made from the states.
 void RootTable::startGrowth() {
-  const std::size_t size = std::max(grown(slots.size()), slotsFor(used()));
+  const std::size_t size = slotsOfNextTable(0);
   release(slots);
   matrix.reset();
   if (!isMatrixSmaller(bytesOfNextMatrix(0))) return makeSlots(size);
@@ -214,19 +218,14 @@ std::size_t RootTable::put(std::uint64_t hash, Entry entry) {
 }
 
 std::uint64_t RootTable::growth() const {
-  const std::uint64_t ofRoots = roots.growth();
-  if (matrix) return ofRoots + growthOfMatrix();
-  if (!isFull(used() + claims.size() + kBetweenGrowthChecks, slots.size())) return ofRoots;
-  return ofRoots + (grown(slots.size()) - slots.size()) * sizeof(std::uint32_t);
-}
-
-/// Bytes that the next few insertions may add, also if the matrix becomes a table.
-std::uint64_t RootTable::growthOfMatrix() const {
-  const std::uint64_t next = bytesOfNextMatrix(kBetweenGrowthChecks);
-  if (next == matrix->bytes()) return 0;
-  const std::uint64_t needed =
-      isMatrixSmaller(next) ? next : slotsFor(used() + kBetweenGrowthChecks) * sizeof(Entry);
-  return needed - std::min(needed, matrix->bytes());
+  const std::uint64_t next = bytesOfNextMatrix(kNewHalves);
+  if (matrix ? next == matrix->bytes()
+             : !isFull(used() + claims.size() + kBetweenGrowthChecks, slots.size()))
+    return roots.growth();
+  const std::uint64_t now = matrix ? matrix->bytes() : slots.size() * sizeof(Entry);
+  const std::uint64_t then =
+      isMatrixSmaller(next) ? next : slotsOfNextTable(kBetweenGrowthChecks) * sizeof(Entry);
+  return roots.growth() + then - std::min(then, now);
 }
 
 } // namespace proskill::verify

@@ -138,7 +138,7 @@ private:
   [[nodiscard]] std::uint32_t numbered() const { return matrix ? 0 : count; }
   [[nodiscard]] std::uint64_t bytesOfNextMatrix(std::uint32_t more) const;
   [[nodiscard]] bool isMatrixSmaller(std::uint64_t bytes) const;
-  [[nodiscard]] std::uint64_t growthOfMatrix() const;
+  [[nodiscard]] std::size_t slotsOfNextTable(std::size_t more) const;
   void makeSlots(std::size_t size);
   void refillMatrix(std::size_t part, std::size_t parts);
   void endClaims();
