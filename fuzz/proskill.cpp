@@ -9,19 +9,8 @@ namespace proskill::fuzz {
 
 namespace {
 
+using analysis::NoFiles;
 using syntax::Document;
-
-/// A disk without files.
-class NoFiles : public analysis::FileSystem {
-public:
-  [[nodiscard]] std::expected<std::string, std::string>
-  read(const std::filesystem::path& /*path*/) const override {
-    return std::unexpected("no such file");
-  }
-  [[nodiscard]] std::filesystem::path canonical(const std::filesystem::path& path) const override {
-    return path.lexically_normal();
-  }
-};
 
 void isWithin(syntax::Range range, const std::string& text) {
   expect(range.begin <= range.end && range.end <= text.size(), "a range is within the text");

@@ -45,4 +45,16 @@ public:
   }
 };
 
+/// For a text that is read alone: its includes are not found.
+class NoFiles final : public FileSystem {
+public:
+  [[nodiscard]] std::expected<std::string, std::string>
+  read(const std::filesystem::path& /*path*/) const override {
+    return std::unexpected("no such file");
+  }
+  [[nodiscard]] std::filesystem::path canonical(const std::filesystem::path& path) const override {
+    return path.lexically_normal();
+  }
+};
+
 } // namespace proskill::analysis

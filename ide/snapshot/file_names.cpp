@@ -7,18 +7,6 @@ namespace {
 using analysis::SymbolId;
 using analysis::SymbolKind;
 
-/// Includes are not followed.
-class NoFiles : public analysis::FileSystem {
-public:
-  [[nodiscard]] std::expected<std::string, std::string>
-  read(const std::filesystem::path&) const override {
-    return std::unexpected(std::string());
-  }
-  [[nodiscard]] std::filesystem::path canonical(const std::filesystem::path& path) const override {
-    return path;
-  }
-};
-
 bool isSearched(SymbolKind kind) {
   switch (kind) {
   case SymbolKind::Parameter:
@@ -35,7 +23,7 @@ bool isSearched(SymbolKind kind) {
 /// Definitions at the top level come first, so that an owner has the same index in both tables.
 /// Those without a name are kept for their contents.
 FileNames::FileNames(const syntax::Document& document) {
-  const auto program = analysis::load(NoFiles(), "file", document);
+  const auto program = analysis::load(analysis::NoFiles(), "file", document);
   const analysis::SymbolTable symbols(program);
   for (const auto& symbol : symbols.all()) {
     if (!isSearched(symbol.kind)) continue;

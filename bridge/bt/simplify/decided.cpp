@@ -3,23 +3,11 @@
 #include "analysis/flow/inspect.h"
 #include "analysis/program/program.h"
 
+#include <algorithm>
 #include <map>
 
 namespace proskill::bridge::bt {
 namespace {
-
-class OneText : public analysis::FileSystem {
-public:
-  explicit OneText(std::string text) : text(std::move(text)) {}
-
-  std::expected<std::string, std::string> read(const std::filesystem::path&) const override {
-    return text;
-  }
-  std::filesystem::path canonical(const std::filesystem::path& path) const override { return path; }
-
-private:
-  std::string text;
-};
 
 const char* valueOf(syntax::Code code) {
   if (code == syntax::Code::TestAlwaysHolds) return "true";
@@ -27,11 +15,11 @@ const char* valueOf(syntax::Code code) {
   return nullptr;
 }
 
-/// How many lists begin before a place of a text.
-std::size_t listsBefore(std::string_view text, std::size_t offset) {
-  std::size_t count = 0;
+/// Where the lists of a text begin, in order.
+std::vector<std::size_t> listsIn(std::string_view text) {
+  std::vector<std::size_t> begins;
   char within = '\0'; // what ends the string or the comment
-  for (std::size_t i = 0; i < offset; ++i) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
     if (within != '\0') {
       if (within == '"' && c == '\\')
@@ -41,24 +29,30 @@ std::size_t listsBefore(std::string_view text, std::size_t offset) {
     } else if (c == '"' || c == ';') {
       within = c == ';' ? '\n' : '"';
     } else if (c == '(') {
-      ++count;
+      begins.push_back(i);
     }
   }
-  return count;
+  return begins;
 }
 
 /// Values of conditions, by the number of their list in the program.
 using Decided = std::map<std::size_t, const char*>;
 
 Decided decidedIn(const std::string& text) {
-  const auto program = analysis::load(OneText(text), "program");
+  const auto program =
+      analysis::load(analysis::NoFiles(), "program", syntax::Document::parse(text));
   const auto analysis = analysis::analyse(program);
   Decided decided;
   if (!analysis::flow::hasFlow(program, analysis)) return decided;
+  const auto begins = listsIn(text);
   const analysis::flow::Flow flow(program);
   for (const auto& found : analysis::flow::checkFlow(flow, analysis.index, false))
-    if (const auto* value = valueOf(found.code))
-      decided[listsBefore(text, found.location.range.begin)] = value;
+    if (const auto* value = valueOf(found.code)) {
+      const auto begin = found.location.range.begin;
+      const auto list = std::ranges::lower_bound(begins, begin);
+      if (list == begins.end() || *list != begin) continue; // a word is decided already
+      decided[static_cast<std::size_t>(list - begins.begin())] = value;
+    }
   return decided;
 }
 

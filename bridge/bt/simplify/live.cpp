@@ -8,11 +8,12 @@
 namespace proskill::bridge::bt {
 namespace {
 
-/// A walk through the statements of a body in their order. It is repeated until no more labels are
-/// found to which something jumps.
+/// A walk through the statements of a body in their order. It is repeated as long as it finds jumps
+/// to labels that it has passed.
 class Walk {
 public:
-  explicit Walk(const std::set<std::string>& targets) : targets(targets) {}
+  /// \param targets labels to which something jumps; gets those that are found
+  explicit Walk(std::set<std::string>& targets) : targets(targets) {}
 
   Block block(std::span<const Form> statements) {
     Block live;
@@ -32,16 +33,12 @@ public:
     return live;
   }
 
-  const std::set<std::string>& targets;
-  std::set<std::string> jumps;
-  bool isReached = true;
-
 private:
   Block translated(const Form& statement) {
     const auto& head = statement.parts[0];
     if (head == "label")
       return targets.contains(statement.parts[1].word) ? Block{statement} : Block{};
-    if (head == "goto") jumps.insert(statement.parts[1].word);
+    if (head == "goto") targets.insert(statement.parts[1].word);
     if (head == "goto" || head == "success" || head == "failure") isReached = false;
     if (head == "if") return choice(statement);
     if (head == "//" || head == "race") return branches(statement);
@@ -123,6 +120,9 @@ private:
     form.comment = original.comment;
     return form;
   }
+
+  std::set<std::string>& targets;
+  bool isReached = true;
 };
 
 } // namespace
@@ -130,10 +130,9 @@ private:
 Block liveStatements(const Block& body) {
   std::set<std::string> targets;
   while (true) {
-    Walk walk(targets);
-    auto live = walk.block(body);
-    if (walk.jumps == targets) return live;
-    targets = walk.jumps;
+    const auto known = targets.size();
+    auto live = Walk(targets).block(body);
+    if (targets.size() == known) return live;
   }
 }
 
