@@ -34,9 +34,11 @@ TEST_CASE("a file may say that it is of version 3") {
 }
 
 TEST_CASE("nodes of version 3 are read under their old names") {
-  const auto old = textOf(oldTree("<Repeat num_cycles=\"2\"><SequenceStar name=\"s\"><A/><B/>"
-                                  "</SequenceStar></Repeat>"));
-  CHECK(contains(old, "(defsv s_at"));
+  const auto old =
+      textOf(oldTree("<RetryUntilSuccessful num_attempts=\"2\"><SequenceStar name=\"s\">"
+                     "<A/><B/></SequenceStar></RetryUntilSuccessful>"));
+  CHECK(contains(old, "(if (= s_at 0)"));
+  CHECK(contains(old, "(set (s_at 1))"));
   CHECK(contains(textOf(oldTree("<RetryUntilSuccesful num_attempts=\"3\"><A/>"
                                 "</RetryUntilSuccesful>")),
                  "_count 3)"));
