@@ -12,8 +12,13 @@ namespace {
 constexpr std::array<std::string_view, 5> kNeverImported{"defproperty", "defenvironment",
                                                          "defplatform", "defconst", "include"};
 
-/// The property that `import bt` writes.
-bool isOfImport(std::string_view name) { return name.ends_with("_can_end"); }
+/// Whether it is the property that `import bt` writes about its main skill.
+bool isOfImport(std::string_view property, std::string_view name) {
+  constexpr std::string_view kEnd = "_can_end";
+  if (!name.ends_with(kEnd)) return false;
+  const auto main = name.substr(0, name.size() - kEnd.size());
+  return property.ends_with(fmt::format("(reachable (ended {})))", main));
+}
 
 } // namespace
 
@@ -22,13 +27,10 @@ std::vector<std::string> ownDefinitions(std::string_view existing, std::string_v
   const auto document = syntax::Document::parse(std::string(existing));
   for (const auto& form : document.forms()) {
     const auto text = document.text().substr(form.range.begin, form.range.length());
-    const auto kind = std::ranges::find_if(kNeverImported, [&](std::string_view keyword) {
-      return text.starts_with(fmt::format("({} ", keyword));
-    });
-    if (kind == kNeverImported.end() || isOfImport(form.name.text)) continue;
-    if (imported.find(text) == std::string_view::npos)
-      own.push_back(form.name.text.empty() ? std::string(text)
-                                           : fmt::format("{} {}", *kind, form.name.text));
+    const auto [keyword, name] = std::pair(form.keyword.text, form.name.text);
+    if (std::ranges::find(kNeverImported, keyword) == kNeverImported.end()) continue;
+    if (isOfImport(text, name) || imported.find(text) != std::string_view::npos) continue;
+    own.push_back(name.empty() ? std::string(text) : fmt::format("{} {}", keyword, name));
   }
   return own;
 }

@@ -13,9 +13,11 @@
 namespace proskill::cli {
 namespace {
 
-constexpr auto kFile = "goal";
+constexpr auto kFile = "<goal>"; // a program may be called `goal`
+constexpr auto kShown = "goal";
 constexpr auto kProperty = "goal_of_the_plan";
 constexpr std::string_view kBefore = "(defproperty goal_of_the_plan (reachable ";
+constexpr std::string_view kAfter = "\n))\n"; // the goal may end in a comment
 
 /// What lies outside of the goal is shown at its next end.
 syntax::Range inText(syntax::Range range, std::size_t length) {
@@ -46,20 +48,24 @@ const syntax::Expr& GoalProgram::goal() const {
 }
 
 bridge::Errors GoalProgram::inGoal(bridge::Errors errors) {
-  for (auto& [place, message] : errors)
-    if (place.file == kFile && place.line == 1) place.column -= kBefore.size();
+  for (auto& [place, message] : errors) {
+    if (place.file != kFile) continue;
+    place.file = kShown;
+    if (place.line == 1) place.column -= kBefore.size();
+  }
   return errors;
 }
 
 std::optional<GoalProgram> loadGoal(const std::string& root, const std::string& goal,
                                     ColourChoice colour) {
   const disk::DiskFileSystem disk;
-  const auto text = fmt::format("{}{}))\n(include {})\n", kBefore, goal, bridge::asString(root));
+  const auto text =
+      fmt::format("{}{}{}(include {})\n", kBefore, goal, kAfter, bridge::asString(root));
   auto program = analysis::load(disk, kFile, syntax::Document::parse(text));
   const auto errors = errorsIn(program, goal.size());
   if (errors.empty()) return GoalProgram{std::move(program)};
   analysis::Program alone;
-  alone.files.push_back({kFile, syntax::Document::parse(goal)});
+  alone.files.push_back({kShown, syntax::Document::parse(goal)});
   render(std::cerr, alone, errors, report::Paint{wantsColour(colour, STDERR_FILENO)});
   return std::nullopt;
 }

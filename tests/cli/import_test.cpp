@@ -181,12 +181,12 @@ TEST_CASE("an import does not remove what was added to its output") {
   const auto text = contentOf(path);
   CHECK(command(import).exitCode == 0);
   const auto more =
-      text + "(defproperty mine (never (running Charge)))\n(defplatform \"x.json\")\n";
+      text + "(defproperty\n  mine_can_end (never (running Charge)))\n(defplatform \"x.json\")\n";
   directory.write("patrol.proskill", more);
   const auto refused = command(import);
   CHECK(refused.exitCode == 2);
-  CHECK(
-      contains(refused.err, "would lose what was added to it: `defproperty mine`, `(defplatform"));
+  CHECK(contains(refused.err,
+                 "would lose what was added to it: `defproperty mine_can_end`, `(defplatform"));
   CHECK(contentOf(path) == more);
   directory.write("patrol.proskill", text + "(defskill broken\n");
   CHECK(command(import).exitCode == 0);
@@ -217,6 +217,12 @@ TEST_CASE("errors of a goal are at their place in the goal") {
   CHECK(contains(errors("(area Green)"), "`Green` is not a value of `area`\n --> goal:1:7\n"));
   CHECK(contains(errors("(and (area Photographed)\n  (are Unknown))"), " --> goal:2:4\n"));
   CHECK(contains(errors("(ended land)"), "goal:1:1: error: PDDL cannot say this: a condition"));
+  CHECK(command({"emit", "pddl", "--goal", "(area Photographed) ; soon", survey}).exitCode == 0);
+  const TemporaryDirectory directory;
+  const auto named = directory.write("goal", contentOf(survey));
+  CHECK(run({"/usr/bin/env", "-C", directory.path(), PROSKILL_PROGRAM, "emit", "pddl", "--goal",
+             "(area Photographed)", "goal"})
+            .exitCode == 0);
   for (const auto* goal : {"(area Photographed", "(area Photographed))", "area", ")", "(", "\"x"})
     CHECK(contains(errors(goal), " --> goal:1:"));
 }
@@ -371,7 +377,9 @@ TEST_CASE("PDDL has an action for each value of an input that a skill reads") {
   const auto refused = command({"emit", "pddl", heavy});
   CHECK(refused.exitCode == 2);
   CHECK(contains(refused.err, "heavy.proskill:3:11: error: PDDL cannot say this: `go` needs an "
-                              "action for each value of its input `by`, and"));
+                              "action for each value of its input `by`, and `"));
+  CHECK(contains(refused.err, "` has 5001 of them, more than 1000; read the input in the action "
+                              "only, or use fewer values"));
 }
 
 } // namespace import_command
