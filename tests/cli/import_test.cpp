@@ -219,7 +219,7 @@ TEST_CASE("errors of a goal are at their place in the goal") {
   CHECK(contains(errors("(ended land)"), "goal:1:1: error: PDDL cannot say this: a condition"));
   CHECK(command({"emit", "pddl", "--goal", "(area Photographed) ; soon", survey}).exitCode == 0);
   const TemporaryDirectory directory;
-  const auto named = directory.write("goal", contentOf(survey));
+  (void)directory.write("goal", contentOf(survey));
   CHECK(run({"/usr/bin/env", "-C", directory.path(), PROSKILL_PROGRAM, "emit", "pddl", "--goal",
              "(area Photographed)", "goal"})
             .exitCode == 0);

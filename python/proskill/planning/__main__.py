@@ -9,9 +9,9 @@ if __package__ in (None, ""):  # started by its path, without being installed
     sys.path[0] = os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, os.pardir)
 
 from proskill.planning.anml import anml_of  # noqa: E402
-from proskill.planning.loop import Loop, Settings, require_planners, say  # noqa: E402
+from proskill.planning.loop import Loop, Settings, say  # noqa: E402
 from proskill.planning.pddl import Refused  # noqa: E402
-from proskill.planning.planner import PLANNERS  # noqa: E402
+from proskill.planning.planner import PLANNERS, require_planners  # noqa: E402
 
 
 def settings_of(arguments: argparse.Namespace) -> Settings:

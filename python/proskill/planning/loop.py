@@ -49,15 +49,6 @@ def say(text: str) -> None:
     print(text, file=sys.stderr, flush=True)
 
 
-def require_planners() -> None:
-    """What is wrong with the goal is said before, since nobody needs a planner to know it."""
-    try:
-        import unified_planning  # noqa: F401
-    except ImportError as missing:
-        raise Refused("planners are not installed. In a virtual environment: pip install unified-planning up-aries "
-                      "up-tamer;\nthen run this again in it, or with --python ENVIRONMENT/bin/python") from missing
-
-
 class Loop:
     def __init__(self, settings: Settings) -> None:
         self.settings = settings
@@ -69,7 +60,6 @@ class Loop:
     def run(self) -> str:
         """The text of a skill that the verifier accepts."""
         self.verifier = self.refuse_impossible(min(FIRST_SECONDS, self.settings.seconds))
-        require_planners()
         for number in range(1, MOST_ROUNDS + 1):
             plan, planner = self.plan()
             plan = self.without_useless(plan)

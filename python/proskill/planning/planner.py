@@ -57,7 +57,21 @@ def run_planner(engine: str, domain: str, problem: str, seconds: float, megabyte
     return answer
 
 
+def require_planners() -> None:
+    """Raises Refused if none are installed.
+
+    Nobody needs a planner to know that a goal is wrong or impossible, so this is asked last."""
+    try:
+        import unified_planning  # noqa: F401
+    except ImportError as missing:
+        from proskill.planning.pddl import Refused
+
+        raise Refused("planners are not installed. In a virtual environment: pip install unified-planning up-aries "
+                      "up-tamer;\nthen run this again in it, or with --python ENVIRONMENT/bin/python") from missing
+
+
 def answer_of(engine: str, domain: str, problem: str, seconds: float, megabytes: int) -> Answer:
+    require_planners()
     with tempfile.TemporaryDirectory(prefix="proskill-plan-") as folder:
         for name, text in (("domain.pddl", domain), ("problem.pddl", problem)):
             with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
