@@ -6,6 +6,7 @@ usage: mcap_files.py PROGRAM
 import importlib
 import io
 import json
+import os
 import pathlib
 import random
 import signal
@@ -24,6 +25,7 @@ except ImportError:
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = sys.argv[1]
 DRONE = ROOT / "examples/drone/drone.proskill"
+PYTHON = os.environ.get("PROSKILL_PYTHON", sys.executable)  # one that has pip, where planners are
 UNTRIED = []  # the reason why the package was not used
 MAGIC = b"\x89MCAP0\r\n"
 FOOTER, SCHEMA, CHANNEL, MESSAGE, CHUNK, DATA_END = 2, 3, 4, 5, 6, 15
@@ -124,7 +126,7 @@ class Files(unittest.TestCase):
         try:
             import mcap.reader
         except ImportError:
-            done = subprocess.run([sys.executable, "-m", "pip", "install", "-q", "--target", packages, "mcap==1.6.0"],
+            done = subprocess.run([PYTHON, "-m", "pip", "install", "-q", "--target", packages, "mcap==1.6.0"],
                                   capture_output=True, text=True)
             if done.returncode:
                 UNTRIED.append((done.stderr.strip().splitlines() or ["pip fails"])[-1])
