@@ -22,7 +22,7 @@ INCONCLUSIVE = 3  # the exit code
 
 SAME_GRAPH = "dead-variables,live-variables,free-inputs,private-moves,stubborn-sets,extrapolation"
 # each needs more than the program alone, and so much more that it does not fit
-MODELS = [("philosophers 12", SAME_GRAPH), ("fischer 10", SAME_GRAPH), ("fischer 10", SAME_GRAPH + ",inclusion")]
+MODELS = [("philosophers 13", SAME_GRAPH), ("fischer 10", SAME_GRAPH), ("fischer 10", SAME_GRAPH + ",inclusion")]
 COUNTED = "csma 7"
 LONG = "philosophers 14"
 LEAST_MIB = 5  # for a search on disk
@@ -166,7 +166,7 @@ def check_full_disk(bench):
     said = run(bench.long, codes=(INCONCLUSIVE,), **how).stdout
     assert f"cannot write the files of the search in `{bench.disk}`: File too large" in said, said
     deadlock = bench.directory / "deadlock.fcr"
-    text = model("philosophers 12", bench.directory).read_text()
+    text = model("philosophers 13", bench.directory).read_text()
     assert "property" in text
     deadlock.write_text(text + "\nproperty eats is absent (dining/1/state eating)\nassert eats\n")
     verdicts, _, _ = report([*bench.spill, "--reduce", SAME_GRAPH, deadlock], codes=(1,), **how)
@@ -210,7 +210,7 @@ def check_interrupt(bench):
 
 def check_two(bench):
     """Two processes with one directory."""
-    arguments = [*bench.spill, "--reduce", SAME_GRAPH, model("philosophers 12", bench.directory)]
+    arguments = [*bench.spill, "--reduce", SAME_GRAPH, model("philosophers 13", bench.directory)]
     commands = [[PROGRAM, "verify", *arguments]] * 2
     children = [subprocess.Popen(it, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) for it in commands]
     outs = [child.communicate(timeout=PATIENCE)[0] for child in children]
