@@ -239,6 +239,65 @@ return {
     child:wait(title:format('trace of dark'))
   end },
 
+  { 'the steps of an older trace lead to where their text is now', function(child)
+    child:file('lamp.proskill', kLamp)
+    child:open(child.directory .. '/lamp.proskill')
+    trace(child, 'dark')
+    local call = child:wait([[
+      local trace = require('proskill.trace')
+      if vim.fn.getline('.'):find('(skill)', 1, true) and trace.shown.at > 0 then return trace.shown.at end
+      trace.next()
+      return false
+    ]])
+    expect.equal(child:lua(notes)[1], 4)
+    -- lines above and words before it; the definition is only begun, so that no verification brings new places
+    child:at('|((skill)')
+    child:keys('i (^ 1)<Esc>')
+    child:at('|(defsv lamp')
+    child:keys('O(defskill half<CR><CR><Esc>')
+    child:wait("return vim.fn.getqflist({ title = 0 }).title == 'trace of dark (of an older text)'")
+    child:lua("require('proskill.trace').go(0)")
+    child:lua("require('proskill.trace').go(...)", call)
+    expect.equal(child:lua(notes)[1], 7)
+    expect.equal(child:lua('return { vim.fn.line("."), vim.fn.col(".") }'), { 7, 12 })
+    -- what was removed has no mark, until it is there again
+    child:keys('dd')
+    child:lua("require('proskill.trace').go(...)", call)
+    expect.equal(child:lua(notes), vim.NIL)
+    child:keys('u')
+    child:wait("return vim.fn.getline(7):find('(skill)', 1, true) ~= nil")
+    child:lua("require('proskill.trace').go(...)", call)
+    expect.equal(child:lua(notes)[1], 7)
+  end },
+
+  { 'without a server, too, a trace says that the text has been edited since', function(child)
+    child:file('lamp.proskill', kLamp)
+    child:open(child.directory .. '/lamp.proskill')
+    child:lua("vim.lsp.stop_client(vim.tbl_map(function(it) return it.id end, require('proskill.client').all()))")
+    child:wait("return require('proskill.client').of(0) == nil")
+    trace(child, 'dark')
+    local title = "return vim.fn.getqflist({ title = 0 }).title == %q"
+    child:wait(title:format('trace of dark'))
+    child:at('|(defsv lamp')
+    child:keys('O; a lamp<Esc>')
+    child:wait(title:format('trace of dark (of an older text)'))
+    child:lua("require('proskill.trace').go(1)")
+    expect.equal(child:lua(notes)[1], 3)
+    child:keys('u')
+    child:wait(title:format('trace of dark'))
+  end },
+
+  { 'a text that is edited while it is verified is not the one of the trace', function(child)
+    child:lua('told = {}; vim.notify = function(text) table.insert(told, text) end')
+    child:file('lamp.proskill', kLamp)
+    child:open(child.directory .. '/lamp.proskill')
+    child:lua("vim.lsp.stop_client(vim.tbl_map(function(it) return it.id end, require('proskill.client').all()))")
+    child:wait("return require('proskill.client').of(0) == nil")
+    child:lua("vim.cmd('ProskillTrace dark'); vim.api.nvim_buf_set_lines(0, 0, 0, true, { '; a lamp' })")
+    child:wait("return vim.fn.getqflist({ title = 0 }).title == 'trace of dark (of an older text)'")
+    expect.contains(table.concat(child:lua('return told'), '\n'), 'the program has changed since: places may have moved')
+  end },
+
   { 'what has no trace, and what is no property, is said', function(child)
     drone(child)
     child:lua("vim.cmd('ProskillTrace no.such.thing')")

@@ -170,6 +170,29 @@ function M.programs()
   end, vim.api.nvim_list_bufs())
 end
 
+local function text_of(buffer)
+  return table.concat(vim.api.nvim_buf_get_lines(buffer, 0, -1, false), '\n')
+end
+
+-- The texts of all open programs, by buffer.
+function M.texts()
+  local texts = {}
+  for _, buffer in ipairs(M.programs()) do
+    texts[buffer] = text_of(buffer)
+  end
+  return texts
+end
+
+-- Whether none of these texts has been edited; those of buffers that were closed do not count.
+function M.are_current(texts)
+  for buffer, text in pairs(texts) do
+    if vim.api.nvim_buf_is_loaded(buffer) and text_of(buffer) ~= text then
+      return false
+    end
+  end
+  return true
+end
+
 -- Stops all servers; when they have ended, starts those that the open programs need.
 function M.restart()
   local stopping = vim.tbl_map(function(client) return client.id end, M.all())

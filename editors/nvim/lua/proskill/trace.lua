@@ -4,6 +4,7 @@ local client = require('proskill.client')
 local config = require('proskill.config')
 local message = require('proskill.message')
 local place = require('proskill.place')
+local step_marks = require('proskill.step_marks')
 local steps = require('proskill.steps')
 local values = require('proskill.values')
 local verify = require('proskill.verify')
@@ -71,48 +72,51 @@ local function clear()
   end
 end
 
--- the text may have been edited since
-local function within(buffer, where)
-  local last = vim.api.nvim_buf_line_count(buffer) - 1
-  local function column(line, at)
-    local text = vim.api.nvim_buf_get_lines(buffer, line, line + 1, false)[1] or ''
-    return math.min(at, #text)
+local function place_of(shown, number)
+  return number == 0 and shown.place or shown.trace.steps[number] and shown.trace.steps[number].place
+end
+
+-- Where the text of a step is now: nil if it has none, or was removed.
+local function present_place(shown, number)
+  local where = place_of(shown, number)
+  return where and step_marks.now(shown.marks[number], where)
+end
+
+-- The places are those of the present text.
+local function set_marks(shown)
+  local places = {}
+  for number = 0, #shown.trace.steps do
+    places[number] = place_of(shown, number)
   end
-  local first_line, last_line = math.min(where.line, last), math.min(where.last_line, last)
-  return first_line, column(first_line, where.first), last_line, column(last_line, where.last)
+  shown.marks = step_marks.set(places)
 end
 
 local function mark(shown, step)
-  local where = step and step.place or shown.place
+  local where = present_place(shown, shown.at)
   if not where then
     return
   end
-  local buffer = vim.fn.bufadd(where.path)
-  vim.fn.bufload(buffer)
-  local line, first, last_line, last = within(buffer, where)
-  vim.api.nvim_buf_set_extmark(buffer, space, line, first, {
-    end_row = last_line, end_col = last, hl_group = 'ProskillStep', priority = 150,
+  vim.api.nvim_buf_set_extmark(where.buffer, space, where.line, where.first, {
+    end_row = where.last_line, end_col = where.last, hl_group = 'ProskillStep', priority = 150,
     sign_text = '▶', sign_hl_group = 'ProskillStepSign',
   })
-  vim.api.nvim_buf_set_extmark(buffer, space, line, first, {
+  vim.api.nvim_buf_set_extmark(where.buffer, space, where.line, where.first, {
     virt_text = note(shown, step), virt_text_pos = 'eol',
   })
 end
 
 -- Shows a step's place in the program's window, wherever the cursor is.
-local function scroll(shown, step)
-  local where = step and step.place or shown.place
+local function scroll(shown)
+  local where = present_place(shown, shown.at)
   if not where or not vim.api.nvim_win_is_valid(shown.window) then
     return
   end
   vim.api.nvim_win_call(shown.window, function()
-    local buffer = vim.fn.bufadd(where.path)
-    if vim.api.nvim_win_get_buf(shown.window) ~= buffer then
-      vim.bo[buffer].buflisted = true
-      vim.cmd('hide buffer ' .. buffer)
+    if vim.api.nvim_win_get_buf(shown.window) ~= where.buffer then
+      vim.bo[where.buffer].buflisted = true
+      vim.cmd('hide buffer ' .. where.buffer)
     end
-    local line, first = within(buffer, where)
-    vim.api.nvim_win_set_cursor(shown.window, { line + 1, first })
+    vim.api.nvim_win_set_cursor(shown.window, { where.line + 1, where.first })
     vim.cmd('normal! zv')
   end)
 end
@@ -138,7 +142,6 @@ local function render(number)
     dim(shown, shown.buffer)
   end
   values.show(shown)
-  return step
 end
 
 -- Goes to a step; does nothing if the trace has no such step.
@@ -148,7 +151,8 @@ function M.go(number)
     return
   end
   vim.fn.setqflist({}, 'a', { id = shown.list, idx = number + 1 })
-  scroll(shown, render(number))
+  render(number)
+  scroll(shown)
 end
 
 -- Moves by this many steps; after `toggle_relevant`, only relevant ones count.
@@ -207,10 +211,20 @@ local function follow()
   end
 end
 
-local function watch()
+-- Without a server nobody else says that the text has changed.
+local function notice_edit()
+  if M.shown then
+    M.title(client.are_current(M.shown.texts) and '' or ' (of an older text)')
+  end
+end
+
+local function watch(shown)
   local group = vim.api.nvim_create_augroup('proskill.trace', {})
   vim.api.nvim_create_autocmd({ 'CursorMoved', 'BufEnter', 'WinEnter' },
                               { group = group, callback = follow })
+  if not shown.source then
+    vim.api.nvim_create_autocmd({ 'TextChanged', 'TextChangedI' }, { group = group, callback = notice_edit })
+  end
 end
 
 -- :ProskillTraceClose
@@ -222,6 +236,7 @@ function M.close()
   M.shown = nil
   vim.api.nvim_create_augroup('proskill.trace', {})
   clear()
+  step_marks.clear()
   values.close()
   vim.cmd('cclose')
 end
@@ -248,6 +263,7 @@ end
 function M.renew(trace)
   local shown = M.shown
   shown.trace = trace
+  set_marks(shown)
   vim.fn.setqflist({}, 'r', {
     id = shown.list, title = 'trace of ' .. shown.name, items = items(shown), idx = shown.at + 1, quickfixtextfunc = line_of_list,
   })
@@ -255,13 +271,15 @@ function M.renew(trace)
   vim.cmd('redrawstatus!')
 end
 
--- `source`: the buffer whose program it is; nil if no server verifies it.
-local function open(verdict, trace, source)
+-- `texts`: as they were when the trace was requested. `source`: the buffer whose program it is; nil if no server
+-- verifies it.
+local function open(verdict, trace, texts, source)
   if M.shown then
     M.close()
   end
+  local stale = trace.stale or not client.are_current(texts)
   local shown = {
-    trace = trace, at = 0, source = source, window = vim.api.nvim_get_current_win(),
+    trace = trace, at = 0, source = source, texts = texts, window = vim.api.nvim_get_current_win(),
     name = verdict.name, description = verdict.description, verdict = verdict.verdict, place = verdict.place,
   }
   vim.fn.setqflist({}, ' ', {
@@ -270,16 +288,18 @@ local function open(verdict, trace, source)
   })
   shown.list = vim.fn.getqflist({ id = 0 }).id
   M.shown = shown
+  set_marks(shown)
   vim.cmd('botright copen')
   shown.unmap = map_keys(vim.api.nvim_get_current_buf())
   shown.buffer = vim.api.nvim_get_current_buf()
   vim.api.nvim_set_current_win(shown.window)
   values.open(shown)
-  watch()
+  watch(shown)
   M.go(0)
   vim.cmd('redraw') -- removes the list to choose from, so that the message needs no key
   message.info(('%d steps; :cnext and :cprevious step, in the list ] and [; m: only the relevant steps, q ends'):format(#trace.steps))
-  if trace.stale then
+  if stale then
+    M.title(' (of an older text)')
     message.warn('the program has changed since: places may have moved')
   end
   vim.api.nvim_exec_autocmds('User', { pattern = 'ProskillTraceShown', modeline = false })
@@ -287,20 +307,20 @@ end
 
 -- Requests the trace of a verdict from the server.
 local function ask(buffer, verdict)
-  local server = client.of(buffer)
+  local server, texts = client.of(buffer), client.texts()
   client.ask(buffer, 'proskill/trace', {
     textDocument = { uri = vim.uri_from_bufnr(buffer) }, name = verdict.name,
   }, function(problem, result)
     if problem then
       return message.error(problem.message)
     end
-    open(verdict, steps.trace(result, server.offset_encoding), buffer)
+    open(verdict, steps.trace(result, server.offset_encoding), texts, buffer)
   end)
 end
 
-local function show(buffer, verdict)
+local function show(buffer, verdict, texts)
   if verdict.trace then
-    open(verdict, steps.trace(verdict.trace))
+    open(verdict, steps.trace(verdict.trace), texts)
   elseif verdict.steps then
     ask(buffer, verdict)
   else
@@ -309,7 +329,7 @@ local function show(buffer, verdict)
 end
 
 -- Violated properties, before warnings.
-local function choose(buffer, verdicts)
+local function choose(buffer, verdicts, texts)
   local candidates = {}
   for _, is_error in ipairs({ true, false }) do
     for _, verdict in ipairs(verdicts) do
@@ -321,7 +341,7 @@ local function choose(buffer, verdicts)
   if #candidates == 0 then
     return message.info('nothing is bad; name a property to see its trace')
   elseif #candidates == 1 then
-    return show(buffer, candidates[1])
+    return show(buffer, candidates[1], texts)
   end
   vim.ui.select(candidates, {
     prompt = 'Trace of', format_item = function(verdict)
@@ -329,7 +349,7 @@ local function choose(buffer, verdicts)
     end,
   }, function(chosen)
     if chosen then
-      show(buffer, chosen)
+      show(buffer, chosen, texts)
     end
   end)
 end
@@ -340,20 +360,21 @@ function M.show(name)
   if vim.bo[buffer].filetype ~= 'proskill' then
     return message.error('not a ProSkill program')
   end
+  local texts = client.texts()
   local last = verify.last and verify.last.buffer == buffer
     and verify.last.tick == vim.api.nvim_buf_get_changedtick(buffer) and verify.last.list
   if name == '' and last then
-    return choose(buffer, last)
+    return choose(buffer, last, texts)
   end
   verify.verdicts(buffer, name ~= '' and { name } or {}, function(verdicts, problem)
     if not verdicts then
       message.error(problem)
     elseif name == '' then
-      choose(buffer, verdicts)
+      choose(buffer, verdicts, texts)
     elseif #verdicts == 1 then
-      show(buffer, verdicts[1])
+      show(buffer, verdicts[1], texts)
     else
-      choose(buffer, verdicts)
+      choose(buffer, verdicts, texts)
     end
   end)
 end

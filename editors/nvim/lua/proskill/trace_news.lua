@@ -47,12 +47,12 @@ local function same(one, other)
 end
 
 local function compare(shown, trace, buffer)
-  local server = client.of(buffer)
+  local server, texts = client.of(buffer), client.texts()
   client.ask(buffer, 'proskill/trace', {
     textDocument = { uri = vim.uri_from_bufnr(buffer) }, name = shown.name,
   }, function(problem, result)
-    if problem or trace.shown ~= shown or not server then
-      return
+    if problem or trace.shown ~= shown or not server or not client.are_current(texts) then
+      return -- after an edit, another verification follows
     end
     local now = steps.trace(result, server.offset_encoding)
     if now.stale then
