@@ -26,7 +26,7 @@ install(DIRECTORY tree-sitter-proskill/queries/ DESTINATION ${nvim_site}/queries
 install(TARGETS proskill_parser LIBRARY DESTINATION ${nvim_site}/parser)
 install(DIRECTORY editors/helix/ DESTINATION ${CMAKE_INSTALL_DATADIR}/proskill/helix
         PATTERN "*.py" EXCLUDE)
-install(FILES editors/emacs/proskill-mode.el editors/emacs/proskill-platform.el
+install(FILES editors/emacs/proskill-mode.el editors/emacs/proskill-platform.el editors/emacs/proskill-verdicts.el
         DESTINATION ${CMAKE_INSTALL_DATADIR}/emacs/site-lisp)
 
 install(FILES README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

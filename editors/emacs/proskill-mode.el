@@ -17,6 +17,7 @@
 (require 'imenu)
 (require 'subr-x)
 (require 'proskill-platform)
+(require 'proskill-verdicts)
 
 (defgroup proskill nil
   "Robot skills in ProSkill."
@@ -187,34 +188,6 @@ PARTS are those of the form around it."
 (defun proskill--file ()
   (or (and (derived-mode-p 'proskill-mode) buffer-file-name)
       (user-error "Not a ProSkill program")))
-
-(define-compilation-mode proskill-verdicts-mode "Verdicts"
-  "Verdicts of `proskill verify'; \\[next-error] goes through the steps of their traces."
-  (setq-local compilation-error-regexp-alist-alist
-              '((proskill "\\(?:^ *--> \\| \\)\\([^ \n:]+\\.proskill\\):\\([0-9]+\\):\\([0-9]+\\)$"
-                          1 2 3)))
-  (setq-local compilation-error-regexp-alist '(proskill))
-  (setq-local compilation-exit-message-function #'proskill--verified))
-
-(defun proskill--verified (_status code message)
-  "What to say of a verification that ended with CODE; MESSAGE is that of Emacs."
-  (pcase code
-    (0 '("finished: all properties are good\n" . "good"))
-    (1 '("finished: there are bad properties\n" . "bad"))
-    (_ (cons message code))))
-
-(defun proskill-verify (property)
-  "Verify the program, or only PROPERTY: a name, or its beginning up to a dot."
-  (interactive "sProperty (empty: all): ")
-  (let ((file (proskill--file)))
-    (save-some-buffers nil (lambda () (derived-mode-p 'proskill-mode)))
-    (compilation-start
-     (mapconcat #'shell-quote-argument
-                (append (list proskill-program "verify" "--color" "never")
-                        (and (not (string-empty-p property)) (list "--property" property))
-                        (list file))
-                " ")
-     #'proskill-verdicts-mode)))
 
 (defun proskill-automaton (name)
   "Draw the state variable, skill or environment that is called NAME."

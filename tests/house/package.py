@@ -29,7 +29,7 @@ WANTED = [
     f"{GRAMMAR}/queries/highlights.scm", f"{GRAMMAR}/tree-sitter.json",
     f"{NVIM}/ftplugin/proskill.lua", f"{NVIM}/doc/proskill.txt", f"{NVIM}/doc/tags", f"{NVIM}/parser/proskill.so",
     f"{NVIM}/queries/proskill/highlights.scm",
-    "usr/share/emacs/site-lisp/proskill-mode.el", "usr/share/emacs/site-lisp/proskill-platform.el", "usr/share/proskill/helix/languages.toml",
+    "usr/share/emacs/site-lisp/proskill-mode.el", "usr/share/emacs/site-lisp/proskill-platform.el", "usr/share/emacs/site-lisp/proskill-verdicts.el", "usr/share/proskill/helix/languages.toml",
     "usr/share/proskill/helix/queries/proskill/highlights.scm",
     "usr/lib/python3/dist-packages/proskill/__init__.py", "usr/lib/python3/dist-packages/proskill/py.typed",
     "usr/include/proskill/executor.h", "usr/include/proskill/executor.hpp", "usr/include/proskill/platform.h",

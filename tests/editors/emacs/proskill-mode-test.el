@@ -216,6 +216,48 @@
    (pause-in-typing)
    (wait-for (lambda () (not (has-finding "akeoff"))))))
 
+(defun line-of-step (trace count)
+  (with-current-buffer trace (goto-char (point-min)))
+  (next-error count t)
+  (line-number-at-pos))
+
+(defmacro with-verified-drone (&rest body)
+  `(let* ((directory (make-temp-file "proskill" t))
+          (file (concat directory "/drone.proskill")))
+     (copy-file (example "drone/drone") file)
+     (with-current-buffer (find-file file)
+       (let ((trace (proskill-verify "uav_mission.no_overshoot")))
+         (unwind-protect (progn ,@body)
+           (with-current-buffer (find-buffer-visiting file)
+             (set-buffer-modified-p nil)
+             (kill-buffer)))))))
+
+;; Emacs formats no mode line without a screen: this evaluates what it would evaluate.
+(defun says-that-it-is-older (trace)
+  (with-current-buffer trace
+    (seq-some (lambda (part) (equal (eval (car (alist-get :eval (list part))) t) "(of an older text)"))
+              mode-line-buffer-identification)))
+
+(ert-deftest the-steps-of-an-older-trace-lead-to-where-their-text-is-now ()
+  (with-verified-drone
+   (wait-for (lambda () (not (get-buffer-process trace))))
+   (should-not (says-that-it-is-older trace))
+   (goto-char (point-min))
+   (insert "; one\n; two\n")
+   (should (equal (line-of-step trace 7) 86))
+   (should (says-that-it-is-older trace))
+   (with-current-buffer (find-buffer-visiting file)
+     (delete-region (point-min) (progn (goto-char (point-min)) (forward-line 2) (point))))
+   (should (equal (line-of-step trace 7) 84))
+   (should-not (says-that-it-is-older trace))))
+
+(ert-deftest a-text-that-is-edited-while-it-is-verified-is-not-that-of-the-trace ()
+  (with-verified-drone
+   (goto-char (point-max))
+   (insert "; one\n")
+   (wait-for (lambda () (not (get-buffer-process trace))))
+   (should (says-that-it-is-older trace))))
+
 (defun where-everything-is (trace)
   (list (selected-window) (current-buffer) (point) (window-start) (length (window-list))
         (with-current-buffer trace (list (point) (window-point (get-buffer-window trace)) (buffer-size)))))
