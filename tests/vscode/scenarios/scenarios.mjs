@@ -2,6 +2,7 @@
 import { scenarios as automaton } from './automaton.mjs';
 import { scenarios as copies } from './copies.mjs';
 import { scenarios as debugging } from './debugger.mjs';
+import { scenarios as disk } from './disk.mjs';
 import { scenarios as editing } from './editing.mjs';
 import { scenarios as first } from './first.mjs';
 import { scenarios as folders } from './folders.mjs';
@@ -23,5 +24,5 @@ import { scenarios as verification } from './verification.mjs';
 import { scenarios as walkthrough } from './walkthrough.mjs';
 
 export const scenarios = {
-  ...trust, ...editing, ...automaton, ...picture, ...verification, ...testing, ...traces, ...opening, ...lenses, ...typing, ...imports, ...large, ...simulation, ...mission, ...secondDay, ...folders, ...copies, ...olderText, ...first, ...debugging, ...walkthrough, ...pictures,
+  ...trust, ...editing, ...automaton, ...picture, ...verification, ...testing, ...traces, ...opening, ...lenses, ...typing, ...imports, ...large, ...simulation, ...mission, ...secondDay, ...folders, ...copies, ...olderText, ...disk, ...first, ...debugging, ...walkthrough, ...pictures,
 };

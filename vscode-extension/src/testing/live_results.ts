@@ -71,6 +71,12 @@ export class LiveResults implements vscode.Disposable {
     return !!this.shown.get(program)?.verdicts.size;
   }
 
+  /** A program that does not exist any more. */
+  forget(program: string): void {
+    this.shown.get(program)?.stopTimers();
+    this.shown.delete(program);
+  }
+
   /** The latest verdicts of a program. */
   take(program: protocol.Verdicts): void {
     if (!isCurrent(program) || !program.verdicts.length) return;

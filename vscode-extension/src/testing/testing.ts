@@ -61,6 +61,10 @@ export class Testing implements vscode.Disposable {
         // the server receives the text at the same time, and soon reports verdicts for it
         if (document.languageId === 'proskill') this.soon();
       }),
+      vscode.workspace.onDidCloseTextDocument((document) => {
+        // its file may have been deleted while it was open
+        if (document.languageId === 'proskill') this.soon();
+      }),
       vscode.workspace.onDidChangeTextDocument((change) => {
         if (change.document.languageId !== 'proskill' || !change.contentChanges.length) return;
         this.edits.note(change);
@@ -101,6 +105,7 @@ export class Testing implements vscode.Disposable {
       const moved = new Set<string>();
       const items = programs.map((program) => this.programItem(program, labelOf(program, programs), moved));
       [...items].sort((a, b) => byName(a.label, b.label)).forEach((item, index) => (item.sortText = orderText(index)));
+      for (const [id, item] of this.controller.items) if (!items.some((it) => it.id === id)) void this.gone(item);
       this.controller.items.replace(items);
       this.edits.forget(programs.flatMap(({ texts }) => texts));
       for (const uri of moved) this.edits.forgetAll(uri);
@@ -109,6 +114,14 @@ export class Testing implements vscode.Disposable {
     } catch (error) {
       this.client.output.warn(`no list of properties: ${String(error)}`);
     }
+  }
+
+  /** A program is not listed any more. If its file was deleted, VS Code would still show its results, as current, beside a new file of this name. */
+  private async gone(program: vscode.TestItem): Promise<void> {
+    if (await exists(program.uri!)) return;
+    this.controller.invalidateTestResults(program);
+    this.live.forget(program.id);
+    this.restored.delete(program.id);
   }
 
   /** Without descriptions, which screen readers would read instead of labels. Existing items are kept, with their results. */
@@ -303,6 +316,15 @@ export class Testing implements vscode.Disposable {
 function labelOf(program: protocol.TestedProgram, all: protocol.TestedProgram[]): string {
   const isAlone = all.filter(({ label }) => label === program.label).length === 1;
   return isAlone ? program.label : vscode.workspace.asRelativePath(vscode.Uri.parse(program.uri));
+}
+
+async function exists(uri: vscode.Uri): Promise<boolean> {
+  try {
+    await vscode.workspace.fs.stat(uri);
+    return true;
+  } catch {
+    return false;
+  }
 }
 
 /** VS Code sorts items as texts. */
