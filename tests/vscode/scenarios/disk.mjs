@@ -1,5 +1,5 @@
-// Files that disappear from the disk.
-import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
+// Files that disappear from the disk, and files that a command changes although no editor shows them.
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { equal, expect } from '../expect.mjs';
 import { kLamp } from './folders.mjs';
@@ -107,6 +107,23 @@ export const scenarios = {
     await editor.statusSays(kCurrent);
     await editor.command('View: Close Editor');
     await reported();
+    await end(world);
+  },
+
+  /** A name is changed in files that no editor shows: the verdicts are current again without another edit. */
+  async renamed_elsewhere(world) {
+    const { editor, page } = world;
+    await begin(world);
+    await editor.goTo(kText.split('\n').findIndex((it) => it.startsWith('(defproperty')) + 1, 30);
+    await editor.press('F2');
+    const input = page.locator('.rename-box input');
+    await input.waitFor();
+    await input.fill('bulb');
+    await editor.press('Enter');
+    await textOf(page, kMain).locator('.view-line', { hasText: 'bulb' }).first().waitFor();
+    await expect('the new name in the other file', () => readFileSync(path(world, kPart), 'utf8').includes('(bulb On)'));
+    await editor.statusSays(kCurrent, 30_000);
+    await editor.picture('renamed_elsewhere');
     await end(world);
   },
 };
