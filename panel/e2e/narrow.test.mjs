@@ -179,6 +179,36 @@ test('so are those of possible steps', async () => {
   folder.remove();
 });
 
+/** Of each test in a picture: its words, and whether all of them are within its shape. */
+const tests = (all) => all.map((node) => {
+  const shape = node.querySelector('polygon').getBBox();
+  const lines = [...node.querySelectorAll('text')];
+  return {
+    words: lines.map((line) => line.textContent).join(' '),
+    whole: lines.map((line) => line.getBBox()).every(({ x, y, width, height }) =>
+      x >= shape.x && y >= shape.y && x + width <= shape.x + shape.width && y + height <= shape.y + shape.height),
+  };
+});
+
+test('the words of a test are whole in its automaton', async () => {
+  const folder = workspace();
+  const file = join(folder.path, 'long.proskill');
+  const condition = `(or ${'(lamp On) '.repeat(12)}(and true (lamp Off) (not false)))`;
+  writeFileSync(file, `(defsv lamp :states (On Off) :init Off :transitions :all)
+(defskill mission :body ((if ${condition} (set (lamp On)))))
+`);
+  const served = await view(file);
+  const it = await page({ viewport: { width: 380, height: 760 } });
+  await it.goto(served.url);
+  await it.locator('#tab-automaton').click();
+  await choosePicture(it, 'body mission');
+  assert.deepEqual(await it.locator('.stage g.role-test').evaluateAll(tests), [{ words: condition, whole: true }]);
+  await shot(it, 'narrow_test');
+  assert.deepEqual(it.complaints, []);
+  assert.equal(await served.end(), 0);
+  folder.remove();
+});
+
 test('the layout goes by the width of the panel, not by that of the window', () => rover({ width: 1200, height: 800 }, async (it) => {
   await it.locator('#panel').evaluate((panel) => { panel.style.width = '400px'; });
   await eventually(async () => {
