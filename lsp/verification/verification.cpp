@@ -3,8 +3,6 @@
 #include "ide/fiacre/fiacre_text.h"
 #include "ide/snapshot/fiacre_file.h"
 
-#include "lsp/verification/defined_in.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -53,7 +51,7 @@ Verification::~Verification() {
   thread.request_stop();
   {
     const std::lock_guard lock(mutex);
-    running.cancel();
+    cancelRunning();
   }
   wake.notify_all();
 }
@@ -71,7 +69,7 @@ void Verification::configure(const Json& section) {
     const std::lock_guard lock(mutex);
     settings = withSettings(settings, section);
     due = std::chrono::steady_clock::now();
-    if (!settings.live) running.cancel();
+    if (!settings.live) cancelRunning();
   }
   wake.notify_all();
 }
@@ -89,7 +87,7 @@ void Verification::textsChanged(std::shared_ptr<const ide::Snapshot> now, Paths 
         runningOn &&
         (hasChanged(runningOn->program, runningVersions, snapshot->open()) ||
          (inView && snapshot->open().contains(*inView) && !contains(runningOn->program, *inView)));
-    if (inBackground || isUseless) running.cancel();
+    if (inBackground || isUseless) cancelRunning();
   }
   wake.notify_all();
 }
@@ -99,7 +97,7 @@ void Verification::filesChanged(const std::vector<std::filesystem::path>& files)
   const bool isConcerned = !runningOn || std::ranges::any_of(files, [&](const auto& file) {
     return contains(runningOn->program, file);
   });
-  if (isConcerned) running.cancel();
+  if (isConcerned) cancelRunning();
 }
 
 void Verification::setView(const std::filesystem::path& path, std::optional<Lines> lines) {
@@ -107,12 +105,18 @@ void Verification::setView(const std::filesystem::path& path, std::optional<Line
     const std::lock_guard lock(mutex);
     if (!snapshot || !snapshot->open().contains(path)) return;
     if (lines) visible[path] = *lines;
-    if (!viewed.empty() && viewed.front() == path) return; // only scrolled: nothing to do
+    if (!viewed.empty() && viewed.front() == path) return noticeScrolling();
     view(path);
     due = std::chrono::steady_clock::now() + delayAfter(settings, took);
-    if (inBackground) running.cancel();
+    if (inBackground) cancelRunning();
   }
   wake.notify_all();
+}
+
+/// Also what is in view. \pre the mutex is held
+void Verification::cancelRunning() {
+  running.cancel();
+  runningInView.cancel();
 }
 
 /// \pre the mutex is held
@@ -231,7 +235,8 @@ void Verification::beginWork(const Programs& program, const ide::OpenTexts& open
   const std::lock_guard lock(mutex);
   runningOn = program;
   runningVersions = versionsOf(program->program, open);
-  if (hasChanged(program->program, runningVersions, snapshot->open())) running.cancel();
+  askedInView.clear();
+  if (hasChanged(program->program, runningVersions, snapshot->open())) cancelRunning();
 }
 
 void Verification::endWork() {
@@ -261,11 +266,13 @@ Verification::Checked Verification::checkProgram(const Programs& program, const 
   beginWork(program, now.open());
   store.set(program, VerificationState::Checking);
   checkInView(program, now, chosen, cancellation);
+  const auto onProgress = [&](const worker::WorkerProgress& progress) {
+    store.setProgress(program, progress);
+    checkScrolledTo(program, now, chosen, cancellation);
+  };
   auto job = worker::jobFor(program->program);
   job.budget = chosen.liveBudget;
-  auto verified =
-      run(program, now.open(), job, kLiveLimits, cancellation,
-          [&](const worker::WorkerProgress& progress) { store.setProgress(program, progress); });
+  auto verified = run(program, now.open(), job, kLiveLimits, cancellation, onProgress);
   endWork();
   if (verified) {
     record(program, std::move(*verified));
@@ -277,45 +284,6 @@ Verification::Checked Verification::checkProgram(const Programs& program, const 
   else
     store.set(program, VerificationState::Failed, verified.error().message);
   return Checked::No;
-}
-
-namespace {
-
-/// The complete verification of a larger program may exceed its budget.
-constexpr std::size_t kLarge = 64 * 1024;
-
-std::size_t bytesOf(const analysis::Program& program) {
-  std::size_t bytes = 0;
-  for (const auto& file : program.files) bytes += file.document.text().size();
-  return bytes;
-}
-
-} // namespace
-
-/// First verifies what is visible in a large program, with half of the time: few properties need
-/// only a small part of the model. Errors are ignored, since the whole program is verified next.
-void Verification::checkInView(const Programs& program, const ide::Snapshot& now,
-                               const VerificationSettings& chosen,
-                               const rpc::Cancellation& cancellation) {
-  if (bytesOf(program->program) < kLarge) return;
-  auto job = worker::jobFor(program->program);
-  {
-    const std::lock_guard lock(mutex);
-    if (viewed.empty() || !visible.contains(viewed.front())) return;
-    const auto [first, last] = visible.at(viewed.front());
-    job.names = definedIn(program->program, viewed.front(), first, last);
-  }
-  if (job.names.empty()) return;
-  job.budget = chosen.liveBudget;
-  job.budget.seconds /= 2;
-  auto found = run(program, now.open(), job, kLiveLimits, cancellation, {});
-  if (!found) return;
-  auto decided = std::make_shared<ide::ProgramVerdicts>(*found->verdicts);
-  for (auto& property : decided->properties)
-    property.pending = property.verdict == ide::Verdict::Inconclusive;
-  found->verdicts = std::move(decided);
-  store.setDecided(program, std::move(*found), now.open());
-  outside.changed();
 }
 
 /// Measures how long skills take, when all verdicts are known. Without an answer nothing is shown;

@@ -77,9 +77,21 @@ private:
       const std::function<void(const worker::WorkerProgress&)>& progress);
   void checkInView(const Programs& program, const ide::Snapshot& snapshot,
                    const VerificationSettings& settings, const rpc::Cancellation& cancellation);
+  void checkInView(const Programs& program, const ide::Snapshot& snapshot,
+                   const worker::Budget& budget, const rpc::Cancellation& cancellation);
+  void checkScrolledTo(const Programs& program, const ide::Snapshot& snapshot,
+                       const VerificationSettings& settings, const rpc::Cancellation& cancellation);
+  [[nodiscard]] std::vector<std::string> takeInView(const analysis::Program& program,
+                                                    const rpc::Cancellation& cancellation);
+  [[nodiscard]] std::vector<std::string> newInView(const analysis::Program& program) const;
+  void forgetInView(const std::vector<std::string>& names);
+  void recordInView(const Programs& program, Verified found, const ide::OpenTexts& open);
+  void noticeScrolling();
+  [[nodiscard]] bool hasScrolled();
   void record(const Programs& program, Verified verified);
   void measure(const Programs& program, const ide::OpenTexts& open,
                const VerificationSettings& settings, const rpc::Cancellation& cancellation);
+  void cancelRunning();
   void beginWork(const Programs& program, const ide::OpenTexts& open);
   void endWork();
   void noticeEdit(const ide::Snapshot& now, const Paths& lostNow);
@@ -115,6 +127,9 @@ private:
   std::optional<Time> due;            ///< of live verification
   std::optional<Time::duration> took; ///< by the last live verification, without durations
   rpc::Cancellation running;          ///< of live verification
+  rpc::Cancellation runningInView;    ///< of the part of it that is in view
+  std::set<std::string> askedInView;  ///< definitions that were in view during it
+  bool scrolled = false;              ///< to others, which are not being verified yet
   bool inBackground = false;          ///< it is about a text that is not in view
   Programs runningOn;
   /// Roots of programs whose durations are not known yet. Only live verification uses it.

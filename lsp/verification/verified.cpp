@@ -200,6 +200,17 @@ Verified ofWholeProgram(Verified verified) {
   return verified;
 }
 
+namespace {
+
+/// Whether a later verdict for the same texts counts: not if a decided one would become
+/// inconclusive, or if verification still runs.
+bool replaces(const ide::PropertyVerdict& newer, const ide::PropertyVerdict& older) {
+  if (newer.verdict != ide::Verdict::Inconclusive) return true;
+  return older.verdict == ide::Verdict::Inconclusive && (!newer.pending || older.pending);
+}
+
+} // namespace
+
 Verified merged(const Verified& older, Verified newer) {
   if (!ide::areCurrent(*older.verdicts, newer.verdicts->program->program)) return newer;
   auto all = std::make_shared<ide::ProgramVerdicts>(*newer.verdicts);
@@ -211,12 +222,14 @@ Verified merged(const Verified& older, Verified newer) {
   for (const auto& property : older.verdicts->properties) rows.emplace(property.name, rows.size());
   std::unordered_set<std::string_view> again;
   for (const auto& property : newer.verdicts->properties) {
-    again.insert(property.name);
     const auto row = rows.find(property.name);
     if (row == rows.end())
       all->properties.push_back(property);
-    else if (auto& known = all->properties[row->second]; !property.pending || known.pending)
-      known = property; // verification still runs, so the older verdict is kept
+    else if (auto& known = all->properties[row->second]; replaces(property, known))
+      known = property;
+    else
+      continue;
+    again.insert(property.name);
   }
   // a property without a trace in the newer verdicts loses its older one
   for (const auto& [name, trace] : older.traces)

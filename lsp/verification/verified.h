@@ -54,7 +54,8 @@ private:
 /// The same verdicts, which are about all properties of the program.
 [[nodiscard]] Verified ofWholeProgram(Verified verified);
 /// The verdicts after some properties have been verified again: the newer verdict of each property
-/// if both are for the same texts; otherwise only the newer ones.
+/// if both are for the same texts, unless only the older one is decided; otherwise only the newer
+/// ones.
 [[nodiscard]] Verified merged(const Verified& older, Verified newer);
 
 /// The location in `json`, a part of a report on this program.
