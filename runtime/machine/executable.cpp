@@ -30,14 +30,10 @@ Span spanOfInterval(const fiacre::Interval& interval, Nanoseconds unit) {
   return span;
 }
 
-/// Passes an open lower bound by up to a millisecond: after one nanosecond, a loop that waits
-/// `]0,2]` would take a thousand million steps a second.
 Span datesOfStep(const fiacre::Interval& interval, Nanoseconds unit) {
   auto span = spanOfInterval(interval, unit);
   if (!interval.lowerOpen) return span;
-  const auto bound = span.first - 1;
-  const auto later = bound + kSecond / 1000;
-  span.first = span.last ? std::min(later, std::midpoint(bound, *span.last + 1)) : later;
+  span.first = soonAfter(span.first - 1, span.last);
   return span;
 }
 
@@ -218,6 +214,11 @@ compileAsked(const fiacre::Program& program, const fiacre::Provenance& provenanc
 }
 
 } // namespace
+
+Nanoseconds soonAfter(Nanoseconds bound, const std::optional<Nanoseconds>& last) {
+  const auto later = bound + kSecond / 1000;
+  return last ? std::min(later, std::midpoint(bound, *last + 1)) : later;
+}
 
 const codegen::ActionCall* Executable::callOf(std::uint32_t action,
                                               const verify::Word* state) const {

@@ -28,6 +28,12 @@ struct Span {
   std::optional<Nanoseconds> last; ///< nullopt: unbounded
 };
 
+/// When a step is taken that must not be taken at its lower bound: a millisecond later, or after
+/// half of the interval where that is less. After one nanosecond, a loop that waits `]0,2]` would
+/// take a thousand million steps a second.
+/// \param last the upper bound
+[[nodiscard]] Nanoseconds soonAfter(Nanoseconds bound, const std::optional<Nanoseconds>& last);
+
 /// A basic skill.
 struct Action {
   verify::InstanceId instance = 0;
@@ -52,7 +58,7 @@ struct Stretch {
 
 enum class Role : std::uint8_t {
   Urgent,   ///< is taken as soon as possible
-  Timed,    ///< of the program: is taken as early as possible
+  Timed,    ///< of the program: is taken as early as possible, but once at a date
   Drawn,    ///< of the environment or the general caller: the date is drawn from the interval
   External, ///< is taken when the platform reports it
 };

@@ -29,6 +29,7 @@ Machine::Machine(const Executable& of, std::uint64_t seed)
       enabled(urgentOnes),
       timedBefore(urgentOnes),
       dates(of.system.transitions.size()),
+      taken(of.system.transitions.size(), -1),
       now(verify::initialState(of.system)),
       before(now) {
   for (TransitionId id = 0; id < system.transitions.size(); ++id) {
@@ -37,7 +38,7 @@ Machine::Machine(const Executable& of, std::uint64_t seed)
     if (role == Role::Timed || role == Role::Drawn) verify::insert(timedOnes, id);
   }
   enabling.compute(now.data(), enabled);
-  verify::eachInBoth(enabled, timedOnes, [&](TransitionId id) { dates[id] = drawn(id); });
+  verify::eachInBoth(enabled, timedOnes, [&](TransitionId id) { dates[id] = dateOf(id, 0); });
 }
 
 std::optional<TransitionId> Machine::urgent() {
@@ -72,6 +73,7 @@ std::optional<TransitionId> Machine::at(std::uint32_t port) const {
 bool Machine::take(TransitionId step, Nanoseconds date) {
   passed.clear();
   before = now;
+  taken[step] = date;
   for (std::size_t k = 0; k < enabled.size(); ++k) timedBefore[k] = enabled[k] & timedOnes[k];
   if (verify::fire(system, step, now.data(), passed) != verify::Outcome::Done) return false;
   enabling.update(step, now.data(), enabled);
@@ -83,14 +85,17 @@ void Machine::setDates(TransitionId step, Nanoseconds date) {
   verify::eachInBoth(enabled, timedOnes, [&](TransitionId id) {
     const bool goesOn =
         contains(timedBefore, id) && id != step && !verify::disturbs(system, step, id);
-    if (!goesOn) dates[id] = date + drawn(id);
+    if (!goesOn) dates[id] = dateOf(id, date);
   });
 }
 
-Nanoseconds Machine::drawn(TransitionId step) {
+Nanoseconds Machine::dateOf(TransitionId step, Nanoseconds date) {
   const auto& [role, span, action, stretch] = executable.handling[step];
-  if (role != Role::Drawn) return span.first;
-  return random.between(span.first, span.last.value_or(span.first + kLongest));
+  if (role == Role::Drawn)
+    return date + random.between(span.first, span.last.value_or(span.first + kLongest));
+  // A step that needs no time happens once at a date: otherwise a loop might never let time pass.
+  const bool again = span.first == 0 && taken[step] == date;
+  return date + (again ? soonAfter(0, span.last) : span.first);
 }
 
 std::int64_t Machine::location(verify::InstanceId instance) const {

@@ -42,7 +42,8 @@ public:
 
 private:
   void setDates(verify::TransitionId step, Nanoseconds date);
-  [[nodiscard]] Nanoseconds drawn(verify::TransitionId step);
+  /// The date of a step that is enabled from now on.
+  [[nodiscard]] Nanoseconds dateOf(verify::TransitionId step, Nanoseconds date);
 
   const Executable& executable;
   const verify::System& system;
@@ -53,6 +54,7 @@ private:
   verify::TransitionSet enabled;
   verify::TransitionSet timedBefore; ///< timed steps that were enabled before the step
   std::vector<Nanoseconds> dates;    ///< due date of each enabled timed step
+  std::vector<Nanoseconds> taken;    ///< when each step was last taken; -1: never
   std::vector<verify::Word> now;
   std::vector<verify::Word> before;
   verify::StepLog passed;

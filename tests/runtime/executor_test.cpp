@@ -162,6 +162,18 @@ TEST_CASE("a run ends where nothing can happen, where its time is over, where ti
         End::NoTime);
 }
 
+TEST_CASE("a wait that needs no time lets time pass when it begins again") {
+  const auto program = test::executableOf(mission("(while true (^ [0,0.001])) (success done)"));
+  const auto ran = runOf(*program, 0, {}, {}, 0.1);
+  CHECK(ran.result.end == End::Until);
+  CHECK(ran.result.steps < 1000);
+  CHECK(runOf(mission("(^ [0,...[) (^ [0,5]) (success done)")).result.date == 0);
+  const auto retries = mission("(label again) (^ [0,...[) (if (sky Clear) (goto again))"
+                               " (success done)");
+  const auto date = runOf(retries, R"({"signals":[{"at":2,"event":"storm"}]})").result.date;
+  CHECK((date == 2'000'000'000 || date == 2'001'000'000)); // before or after the wait of this date
+}
+
 namespace {
 
 /// Performs nothing, and calls what a test sets.
