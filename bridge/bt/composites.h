@@ -33,7 +33,7 @@ private:
   Block nonblocking(const Node& node);
   Block pauseResume(const Node& node);
   Block own(const Node& node);
-  Block tickedAndHalted(const Node& child);
+  Block tickedAndHalted(const Node& child, const std::string& wish);
   [[nodiscard]] std::vector<std::span<const Node>> pipelineParts(const Node& node) const;
   Block pipelineBranch(std::span<const Node> part, std::size_t place, const std::string& passed);
   Block branches(const Node& node, const Exit& success, const Exit& failure);

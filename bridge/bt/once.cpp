@@ -79,30 +79,35 @@ void Body::precondition(const Node& node, const Exit& success, const Exit& failu
 }
 
 /// Nothing is known of a node that the author of the tree has programmed, but that it halts its
-/// children before it ends.
+/// children before it ends. What it decides comes as events.
 Block Composites::own(const Node& node) {
   vocabulary.approximate(node, "it may tick and halt its children at any time, and end at any time "
                                "with any result");
-  const auto result =
-      vocabulary.anyOf(wordOf(node) + "_result", {"Success", "Failure"}, vocabulary.comment(node));
+  const auto result = vocabulary.anyOf(wordOf(node) + "_result", {"None", "Success", "Failure"},
+                                       vocabulary.comment(node));
   Form branches = list("//");
-  for (const auto& child : node.children) branches.parts.emplace_back(tickedAndHalted(child));
+  for (std::size_t i = 0; i < node.children.size(); ++i)
+    branches.parts.emplace_back(
+        tickedAndHalted(node.children[i], fmt::format("{}_child_{}", wordOf(node), i + 1)));
   Form end = list("if", list(result, "Success"));
   append(end.parts, succeed().jump);
-  Block ends{list("^", "[0,...["), end};
+  const auto none = list(result, "None");
+  Block ends{list("^", none), list("^", list("not", none)), end}; // not with the last result
   append(ends, fail().jump);
   branches.parts.emplace_back(std::move(ends));
   return {branches};
 }
 
-Block Composites::tickedAndHalted(const Node& child) {
+Block Composites::tickedAndHalted(const Node& child, const std::string& wish) {
+  const auto state = vocabulary.anyOf(wish, {"Halted", "Ticked"}, vocabulary.comment(child));
+  const auto isHalted = list("^", list(state, "Halted"));
   const auto again = vocabulary.names.take("again");
   const auto skips = vocabulary.names.take("skipped");
   Body body(vocabulary);
   body.node(child, {}, {}, Exit{{list("goto", skips)}});
   if (maySkip(child)) body.statements.push_back(list("label", skips));
-  return {list("label", again), list("^", "[0,...["),
-          list("race", Form(body.statements), Form(Block{list("^", "[0,...[")})),
+  return {list("label", again), list("^", list(state, "Ticked")),
+          list("race", Form(body.statements), Form(Block{isHalted})), isHalted,
           list("goto", again)};
 }
 

@@ -93,6 +93,24 @@ TEST_CASE("emit bt writes a mission as a tree that imports again") {
                  "`drive` is not a composite skill"));
 }
 
+TEST_CASE("a run of a tree with a node of one's own draws what the node decides") {
+  const TemporaryDirectory directory;
+  const auto xml = directory.write("own.xml", R"(<root BTCPP_format="4"><BehaviorTree ID="Main">
+<RetryUntilSuccessful num_attempts="-1"><Mine><Action ID="Go"/><Condition ID="Clear"/></Mine>
+</RetryUntilSuccessful></BehaviorTree></root>)");
+  const auto path = directory.path("own.proskill");
+  REQUIRE(command({"import", "bt", xml, "-o", path}).exitCode == 0);
+  std::string runs;
+  for (const auto* seed : {"1", "2", "3", "4"}) {
+    const auto ran = command({"run", path, "--no-record", "--seed", seed}).out;
+    CHECK(contains(ran, "the mission has ended"));
+    CHECK_FALSE(contains(ran, "the mission has ended after 0 s"));
+    runs += ran;
+  }
+  CHECK(contains(runs, "→ (Go)"));
+  CHECK(contains(runs, "is interrupted"));
+}
+
 // --- Components
 
 TEST_CASE("the example of a component is what its import writes, and its bug is found") {
