@@ -99,7 +99,7 @@ _proskill_options() {
     explain) echo '--help --list --markdown --color' ;;
     fmt) echo '--help --check --diff' ;;
     graph) echo '--help --kind --name --forbidden --format --out-dir --output --dark --color' ;;
-    import) echo '--help --output --leaves --main' ;;
+    import) echo '--help --output --force --leaves --main' ;;
     lsp) echo '--help --port --log --debounce --cache --no-cache --stdio' ;;
     plan) echo '--help --output --name --anml --planner --outcomes --time-limit --memory-limit --python' ;;
     replay) echo '--help --color' ;;

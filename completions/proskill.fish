@@ -74,6 +74,7 @@ complete -c proskill -n '__fish_seen_subcommand_from graph' -ka '(__fish_complet
 complete -c proskill -n __fish_use_subcommand -a import -d 'Translate a program of another language'
 complete -c proskill -n '__fish_seen_subcommand_from import' -s h -l help -d 'Print this help message and exit'
 complete -c proskill -n '__fish_seen_subcommand_from import' -s o -l output -d 'Write to this file instead of standard output' -r
+complete -c proskill -n '__fish_seen_subcommand_from import' -l force -d 'Replace the output even if it was edited since it was imported'
 complete -c proskill -n '__fish_seen_subcommand_from import' -l leaves -d 'bt, gen: durations and results of actions, conditions and services, as JSON' -r
 complete -c proskill -n '__fish_seen_subcommand_from import' -l main -d 'bt: tree to import (default: the `main_tree_to_execute`)' -x
 complete -c proskill -n '__fish_seen_subcommand_from import' -a 'bt gen rl'

@@ -3,7 +3,7 @@
 #include "bridge/bt/import.h"
 #include "bridge/gen/import.h"
 #include "bridge/rl/import.h"
-#include "cli/bridges/own_definitions.h"
+#include "cli/bridges/edits.h"
 #include "cli/output/bridge_report.h"
 #include "cli/terminal/choice.h"
 #include "cli/terminal/error.h"
@@ -15,7 +15,6 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <iostream>
 #include <memory>
@@ -32,6 +31,7 @@ struct ImportArguments {
   std::string leaves;
   std::string main;
   std::string output;
+  bool force = false;
 };
 
 /// The side file about leaves; without one, anything is allowed to them.
@@ -64,15 +64,16 @@ std::expected<bridge::Imported, bridge::Errors> imported(const ImportArguments& 
   std::unreachable();
 }
 
-/// Why the output must not be replaced; empty if it may be.
-std::string lossOf(const std::string& output, const std::string& imported) {
+/// What would be lost if the output were replaced, and how to keep it.
+bridge::Errors lossOf(const std::string& output, const std::string& imported) {
   const auto existing = disk::DiskFileSystem().read(output);
-  const auto own = existing ? ownDefinitions(*existing, imported) : std::vector<std::string>();
-  if (own.empty()) return {};
-  return fmt::format("`{}` would lose what was added to it: `{}`. Move this to a program that "
-                     "includes `{}`, or remove it",
-                     output, fmt::join(own, "`, `"),
-                     std::filesystem::path(output).filename().string());
+  auto edits = existing ? editsIn(*existing, imported, output) : bridge::Errors();
+  for (auto& edit : edits) edit.message += ", which another import would undo";
+  if (!edits.empty())
+    edits.back().message += fmt::format(
+        ". Move additions to a program that includes `{}`, or undo all of it by `--force`",
+        std::filesystem::path(output).filename().string());
+  return edits;
 }
 
 int runImport(const ImportArguments& arguments) {
@@ -86,8 +87,10 @@ int runImport(const ImportArguments& arguments) {
   if (!leaves) return reportErrors(leaves.error());
   const auto made = imported(arguments, *leaves);
   if (!made) return reportErrors(made.error());
-  if (const auto loss = lossOf(arguments.output, made->text); !loss.empty()) return fail(loss);
-  if (const auto failed = disk::writeOutput(arguments.output, made->text)) return fail(*failed);
+  const auto text = withDigests(made->text);
+  const auto loss = arguments.force ? bridge::Errors() : lossOf(arguments.output, text);
+  if (!loss.empty()) return reportErrors(loss);
+  if (const auto failed = disk::writeOutput(arguments.output, text)) return fail(*failed);
   for (const auto& line : made->summary) std::cerr << syntax::printable(line) << '\n';
   return kDone;
 }
@@ -107,6 +110,9 @@ void addImport(CLI::App& app, int& exitCode) {
   show(command->add_option("-o,--output", arguments->output,
                            "Write to this file instead of standard output"),
        group::kOutput, "FILE");
+  show(command->add_flag("--force", arguments->force,
+                         "Replace the output even if it was edited since it was imported"),
+       group::kOutput);
   show(command->add_option(
            "--leaves", arguments->leaves,
            "bt, gen: durations and results of actions, conditions and services, as JSON"),

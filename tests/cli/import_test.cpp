@@ -191,26 +191,6 @@ TEST_CASE("emit rl names what RL cannot say") {
   CHECK(contains(done.err, path + ":1:8: error: RL cannot say this: a number\n"));
 }
 
-TEST_CASE("an import does not remove what was added to its output") {
-  const TemporaryDirectory directory;
-  const auto path = directory.write("patrol.proskill", "");
-  const std::vector<std::string> import{"import", "bt", kPatrol, "--leaves", kLeaves, "-o", path};
-  REQUIRE(command(import).exitCode == 0);
-  const auto text = contentOf(path);
-  CHECK(command(import).exitCode == 0);
-  const auto more =
-      text + "(defproperty\n  mine_can_end (never (running Charge)))\n(defplatform \"x.json\")\n";
-  directory.write("patrol.proskill", more);
-  const auto refused = command(import);
-  CHECK(refused.exitCode == 2);
-  CHECK(contains(refused.err,
-                 "would lose what was added to it: `defproperty mine_can_end`, `(defplatform"));
-  CHECK(contentOf(path) == more);
-  directory.write("patrol.proskill", text + "(defskill broken\n");
-  CHECK(command(import).exitCode == 0);
-  CHECK(contentOf(path) == text);
-}
-
 // --- Planning problems
 
 TEST_CASE("plan does not replace the program, and needs a goal") {

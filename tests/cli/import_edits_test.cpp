@@ -1,0 +1,107 @@
+#include "tests/support/run.h"
+#include "tests/where.h"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+using namespace proskill::test;
+
+/// Imports over a program that was edited since it was imported.
+namespace import_edits {
+
+namespace {
+
+constexpr auto kPatrol = PROSKILL_SOURCE_DIR "/examples/patrol/patrol.xml";
+constexpr auto kLeaves = PROSKILL_SOURCE_DIR "/examples/patrol/leaves.json";
+
+Finished command(std::vector<std::string> words) {
+  words.insert(words.begin(), PROSKILL_PROGRAM);
+  return run(words);
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::string contentOf(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+} // namespace
+
+TEST_CASE("an import does not remove what was added to its output") {
+  const TemporaryDirectory directory;
+  const auto path = directory.write("patrol.proskill", "");
+  const std::vector<std::string> import{"import", "bt", kPatrol, "--leaves", kLeaves, "-o", path};
+  REQUIRE(command(import).exitCode == 0);
+  const auto text = contentOf(path);
+  CHECK(command(import).exitCode == 0);
+  const auto more =
+      text + "(defproperty\n  mine_can_end (never (running Charge)))\n(defplatform \"x.json\")\n";
+  directory.write("patrol.proskill", more);
+  const auto refused = command(import);
+  CHECK(refused.exitCode == 2);
+  CHECK(contains(refused.err, ": error: `defproperty mine_can_end` was added here"));
+  CHECK(contains(refused.err, ": error: `(defplatform \"x.json\")` was added here"));
+  CHECK(contentOf(path) == more);
+  directory.write("patrol.proskill", text + "(defskill broken\n");
+  CHECK(contains(command(import).err, "`defskill broken` was added here"));
+}
+
+TEST_CASE("an import does not undo edits of its output, unless told so") {
+  const TemporaryDirectory directory;
+  const auto path = directory.path("patrol.proskill");
+  std::vector<std::string> import{"import", "bt", kPatrol, "--leaves", kLeaves, "-o", path};
+  REQUIRE(command(import).exitCode == 0);
+  const auto text = contentOf(path);
+  const auto importOver = [&](const std::string& existing) {
+    directory.write("patrol.proskill", existing);
+    const auto done = command(import);
+    CHECK(contentOf(path) == (done.exitCode == 0 ? text : existing));
+    return std::pair(done.exitCode, done.err);
+  };
+  const auto at = text.find("(defskill Charge");
+  auto edited = text;
+  edited.insert(text.find(":success", at), ":precondition (free true)\n  ");
+  const auto line = std::count(text.begin(), text.begin() + static_cast<int>(at), '\n') + 1;
+  const auto [code, said] = importOver(edited);
+  CHECK(code == 2);
+  CHECK(said ==
+        path + ":" + std::to_string(line) +
+            ":1: error: `defskill Charge` was edited here, which another import would undo. "
+            "Move additions to a program that includes `patrol.proskill`, or undo all of it "
+            "by `--force`\n");
+  auto commented = text;
+  commented.insert(at, "; slow\n");
+  CHECK(contains(importOver(commented).second, "`defskill Charge` was edited here"));
+  CHECK(contains(importOver(text + "; mine\n").second, "a comment was added here"));
+  auto shorter = text;
+  shorter.erase(at, text.find("\n; from", at) - at);
+  CHECK(contains(importOver(shorter).second, ":1:1: error: 1 of its definitions were removed"));
+  auto spaced = text;
+  spaced.insert(at, "\n\n");
+  CHECK(importOver(spaced).first == 0);
+  CHECK(importOver("(defskill by_hand)\n").first == 2);
+  import.insert(import.end(), {"--force"});
+  CHECK(importOver(edited).first == 0);
+}
+
+TEST_CASE("an import replaces its output when the original has changed") {
+  const TemporaryDirectory directory;
+  const auto tree = [](const std::string& leaf) {
+    return "<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\">" + leaf +
+           "</BehaviorTree></root>\n";
+  };
+  const auto xml = directory.write("main.xml", tree("<Sequence><A/><B/></Sequence>"));
+  const auto path = directory.path("main.proskill");
+  REQUIRE(command({"import", "bt", xml, "-o", path}).exitCode == 0);
+  directory.write("main.xml", tree("\n<Fallback><C/><A x=\"1\"/></Fallback>"));
+  CHECK(command({"import", "bt", xml, "-o", path}).exitCode == 0);
+  CHECK(contains(contentOf(path), "(defskill C"));
+}
+
+} // namespace import_edits
