@@ -154,6 +154,11 @@ TEST_CASE("statements become nodes") {
         "</ForceSuccess></Fallback></Sequence>");
 }
 
+TEST_CASE("a branch that may end at once comes last, since a tick starts none after it") {
+  const auto tree = writtenAs("(// ((if (c Yes) (success ok)) (^ 1)) ((a)))");
+  CHECK(tree.find("<Action ID=\"a\"") < tree.find("<Condition ID=\"c\""));
+}
+
 TEST_CASE("what a tree cannot say is an error with its place") {
   const auto at = [](const std::string& column, const std::string& what) {
     return "p:7:" + column + ": a tree cannot say this: " + what + "\n";

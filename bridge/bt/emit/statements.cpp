@@ -349,12 +349,17 @@ Element Statements::parallel(const syntax::Statement& statement, const Results& 
   });
 }
 
+/// Those that may end at once come last: a tick in which they end the node starts none after them.
 Element Statements::branches(const syntax::Statement& statement, Results results, bool out) {
   results[kNext] = {!out};
   const bool isRace = statement.kind == Does::Race;
   auto node = element("Parallel", {{"success_count", isRace || out ? "1" : "-1"},
                                    {"failure_count", isRace || !out ? "1" : "-1"}});
-  for (const auto& branch : statement.branches) node.children.push_back(block(&branch, results));
+  std::vector<const syntax::Block*> order;
+  for (const auto& branch : statement.branches) order.push_back(&branch);
+  std::ranges::stable_partition(
+      order, [](const auto* branch) { return exitsOf(*branch, Within::NoTime).empty(); });
+  for (const auto* branch : order) node.children.push_back(block(branch, results));
   return node;
 }
 
