@@ -154,6 +154,30 @@ TEST_CASE("statements become nodes") {
         "</ForceSuccess></Fallback></Sequence>");
 }
 
+TEST_CASE("a loop that counts its rounds is a node") {
+  const std::string retry = "<RetryUntilSuccessful num_attempts=\"3\"><Action ID=\"a\"/>"
+                            "</RetryUntilSuccessful>";
+  CHECK(writtenAs("(set (n 0)) (while (< n 3) (b x 1) (set (n (+ n 1))))") ==
+        "<Repeat num_cycles=\"3\"><Action ID=\"b\" x=\"1\"/></Repeat>");
+  CHECK(writtenAs("(set (n 0)) (while (< n 3) (a) (if (= a.status success) (success ok)) "
+                  "(set (n (+ n 1)))) (failure bad)") == retry);
+  CHECK(writtenAs("(set (n 0)) (label l) (a) (if (= a.status success) (success ok)) "
+                  "(set (n (+ n 1))) (if (< n 3) (goto l)) (failure bad)") == retry);
+  CHECK(writtenAs("(set (n 0)) (label l) (a) (if (= a.status success) (success ok)) "
+                  "(if (>= n 2) (failure bad)) (^ 1) (set (n (+ n 1))) (goto l)") ==
+        "<RecoveryNode number_of_retries=\"2\"><Action ID=\"a\"/><Sleep msec=\"1000\"/>"
+        "</RecoveryNode>");
+}
+
+TEST_CASE("a loop whose number is used elsewhere, or too small to count, is no such node") {
+  const std::string loop = "(set (n 0)) (while (< n 3) (a) (set (n (+ n 1))))";
+  CHECK(writtenAs(loop + " (if (> n 2) (a))").contains("<ScriptCondition code=\"@n &lt; 3\"/>"));
+  CHECK(writtenAs("(set (n 0)) (while (< n 4) (a) (set (n (+ n 1))))")
+            .contains("num_attempts=\"-1\""));
+  CHECK(writtenAs("(set (n 1)) (while (< n 3) (a) (set (n (+ n 1))))")
+            .contains("num_attempts=\"-1\""));
+}
+
 TEST_CASE("a branch that may end at once comes last, since a tick starts none after it") {
   const auto tree = writtenAs("(// ((if (c Yes) (success ok)) (^ 1)) ((a)))");
   CHECK(tree.find("<Action ID=\"a\"") < tree.find("<Condition ID=\"c\""));

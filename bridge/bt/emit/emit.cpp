@@ -35,7 +35,8 @@ Errors sorted(Errors errors) {
 
 class TreeWriter {
 public:
-  explicit TreeWriter(Draft& draft) : draft(draft), conditions(draft), calls(draft) {}
+  explicit TreeWriter(Draft& draft)
+      : draft(draft), conditions(draft), calls(draft), loops(draft.program) {}
 
   Element document(const Definition<syntax::Skill>& mission) {
     auto root =
@@ -63,7 +64,7 @@ public:
 
 private:
   Element tree(const Definition<syntax::Skill>& skill) {
-    auto body = guarded(skill, Statements(draft, conditions, calls, skill).body());
+    auto body = guarded(skill, Statements(draft, conditions, calls, loops, skill).body());
     return element("BehaviorTree", {{"ID", Calls::nameOf(skill)}}, {std::move(body)});
   }
 
@@ -134,6 +135,7 @@ private:
   Draft& draft;
   Conditions conditions;
   Calls calls;
+  CountedLoops loops;
 };
 
 } // namespace

@@ -1,5 +1,7 @@
 #include "bridge/bt/emit/exits.h"
 
+#include "bridge/bt/emit/counted.h"
+
 #include "syntax/tree/statements.h"
 
 #include <algorithm>
@@ -74,6 +76,18 @@ Exits ofParallel(const Statement& statement, Within within) {
   return exits;
 }
 
+/// A loop without a `spent` block goes on after its last round.
+Exits ofCounted(const Counted& loop, Within within) {
+  auto exits = exitsOf(Steps(loop.round), within);
+  const bool isSpent = loop.spent != nullptr && exits.erase(kNext) > 0;
+  if (isSpent) add(exits, exitsOf(*loop.spent, within));
+  if (isSpent && within == Within::AnyTime) {
+    add(exits, exitsOf(Steps(loop.recovery), within));
+    exits.erase(kNext);
+  }
+  return exits;
+}
+
 /// Whether it lasts. A call does unless its skill is known to last 0 s, which is unusual.
 bool lasts(const Statement& statement) {
   if (statement.kind == StatementKind::WaitTime)
@@ -144,6 +158,7 @@ const syntax::Block* afterCall(const Step& step, std::string_view status) {
 }
 
 Exits exitsOf(const Step& step, Within within) {
+  if (step.counted) return ofCounted(*step.counted, within);
   if (!step.decision) return ofStatement(*step.statement, within);
   if (within == Within::NoTime) return {};
   Exits exits;
@@ -159,16 +174,14 @@ Exits exitsOf(Steps steps, Within within) {
   Exits exits;
   bool isReached = true;
   for (const auto& step : steps) {
-    const bool isLabel = step.statement->kind == StatementKind::Label;
-    if (isLabel && jumps.contains(exitTo(step.statement->name.text))) isReached = true;
-    if (isLabel || !isReached) continue;
+    if (isLabel(step) && jumps.contains(exitTo(step.statement->name.text))) isReached = true;
+    if (isLabel(step) || !isReached) continue;
     auto own = exitsOf(step, within);
     isReached = own.erase(kNext) > 0;
     add(exits, own);
   }
   for (const auto& step : steps)
-    if (step.statement->kind == StatementKind::Label)
-      exits.erase(exitTo(step.statement->name.text));
+    if (isLabel(step)) exits.erase(exitTo(step.statement->name.text));
   if (isReached) exits.insert(kNext);
   return exits;
 }
@@ -178,13 +191,20 @@ Exits jumpsOf(Steps steps) {
   const auto visit = [&](const Statement& each) {
     if (each.kind == StatementKind::Goto) jumps.insert(exitTo(each.name.text));
   };
-  for (const auto& step : steps)
+  for (const auto& step : steps) {
+    if (step.counted) {
+      add(jumps, jumpsOf(step.counted->round));
+      add(jumps, jumpsOf(step.counted->recovery));
+      if (step.counted->spent) add(jumps, exitsOf(*step.counted->spent));
+      continue;
+    }
     for (const auto* part : {step.statement, step.decision}) {
       if (!part) continue;
       visit(*part);
       for (const auto& branch : part->branches) syntax::forEachStatement(branch, visit);
       for (const auto& arm : part->arms) syntax::forEachStatement(arm.body, visit);
     }
+  }
   return jumps;
 }
 

@@ -2,6 +2,7 @@
 
 #include "syntax/tree/ast.h"
 
+#include <memory>
 #include <set>
 #include <span>
 #include <string>
@@ -9,12 +10,20 @@
 
 namespace proskill::bridge::bt {
 
-/// A call with the `if` after it that tests its status, or any other statement alone.
+struct Counted;
+
+/// A call with the `if` after it that tests its status, a loop that counts its rounds, or any other
+/// statement alone.
 struct Step {
-  const syntax::Statement* statement = nullptr;
+  const syntax::Statement* statement = nullptr; ///< of a loop that counts: its first one
   const syntax::Statement* decision = nullptr;
+  std::shared_ptr<const Counted> counted{};
 };
 using Steps = std::span<const Step>;
+
+[[nodiscard]] inline bool isLabel(const Step& step) {
+  return !step.counted && step.statement->kind == syntax::StatementKind::Label;
+}
 
 [[nodiscard]] std::vector<Step> stepsOf(const syntax::Block& block);
 

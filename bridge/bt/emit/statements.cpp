@@ -12,10 +12,6 @@ using Does = syntax::StatementKind;
 
 namespace {
 
-constexpr auto kAgain = "again"; // no label: those begin with `goto`
-
-bool isLabel(const Step& step) { return step.statement->kind == Does::Label; }
-
 Exits labelsOf(Steps steps) {
   Exits labels;
   for (const auto& step : steps)
@@ -72,7 +68,7 @@ Element Statements::repeat(Element round, bool untilSuccess) {
 
 Element Statements::block(const syntax::Block* block, const Results& results) {
   if (!block) return leave(results.at(kNext));
-  const auto all = stepsOf(*block);
+  const auto all = loops.grouped(stepsOf(*block));
   return steps(all, results);
 }
 
@@ -198,35 +194,8 @@ Element Statements::repeated(Steps all, const syntax::Statement& label, const Re
   });
 }
 
-Element Statements::loop(const syntax::Statement& loop, const Results& results) {
-  if (exitsOf(loop.branches.front(), Within::NoTime).contains(kNext))
-    return fail(loop.range, "a loop that may repeat without any time");
-  return withCommon(exitsOf(Step{&loop}), loop.range, results, [&](Results inside, bool out) {
-    inside[kAgain] = {!out};
-    inside[kBreak] = inside.at(kNext);
-    return repeat(round(loop, inside), out);
-  });
-}
-
-Element Statements::round(const syntax::Statement& loop, const Results& results) {
-  const auto& body = loop.branches.front();
-  const auto& next = results.at(kNext);
-  const auto& again = results.at(kAgain);
-  if (loop.kind == Does::While) {
-    auto inside = results;
-    inside[kNext] = again;
-    auto test = conditions.of(loop.condition, file);
-    return decide(std::move(test), block(&body, inside), leave(next));
-  }
-  return inTurn(
-      exitsOf(body), loop.range, results, [&](const Results& first) { return block(&body, first); },
-      [&](const Results& second) {
-        return decide(conditions.of(loop.condition, file), leave(second.at(kNext)),
-                      leave(second.at(kAgain)));
-      });
-}
-
 Element Statements::step(const Step& step, const Results& results) {
+  if (step.counted) return counted(step, results);
   if (step.statement->kind == Does::Call) return call(step, results);
   return statement(*step.statement, results);
 }

@@ -2,6 +2,7 @@
 
 #include "bridge/bt/emit/calls.h"
 #include "bridge/bt/emit/conditions.h"
+#include "bridge/bt/emit/counted.h"
 #include "bridge/bt/emit/exits.h"
 
 #include <functional>
@@ -14,9 +15,14 @@ namespace proskill::bridge::bt {
 /// Where ways out need another result than that, a flag on the blackboard distinguishes them.
 class Statements {
 public:
-  Statements(Draft& draft, Conditions& conditions, Calls& calls,
+  Statements(Draft& draft, Conditions& conditions, Calls& calls, const CountedLoops& loops,
              const analysis::Definition<syntax::Skill>& skill)
-      : draft(draft), conditions(conditions), calls(calls), skill(skill), file(skill.file) {}
+      : draft(draft),
+        conditions(conditions),
+        calls(calls),
+        loops(loops),
+        skill(skill),
+        file(skill.file) {}
 
   /// A body, which succeeds at its end.
   Element body();
@@ -45,6 +51,8 @@ private:
                  const Part& second);
   Element loop(const syntax::Statement& loop, const Results& results);
   Element round(const syntax::Statement& loop, const Results& results);
+  Element counted(const Step& step, const Results& results);
+  Element withRecovery(const Counted& loop, syntax::Range at, const Results& results);
   Element step(const Step& step, const Results& results);
   Element statement(const syntax::Statement& statement, const Results& results);
   Element call(const Step& step, const Results& results);
@@ -75,6 +83,7 @@ private:
   Draft& draft;
   Conditions& conditions;
   Calls& calls;
+  const CountedLoops& loops;
   const analysis::Definition<syntax::Skill>& skill;
   analysis::FileId file;
   int flags = 0;
