@@ -85,6 +85,14 @@ TEST_CASE("a tree that is imported, written and imported again keeps its verdict
   CHECK(counts.counted * 100 >= all);
 }
 
+TEST_CASE("a script that is tested goes round as a condition with another name") {
+  Trips counts;
+  roundTrip("<root BTCPP_format=\"4\"><BehaviorTree ID=\"Main\"><Sequence><ScriptCondition "
+            "code=\"x == 1\"/><Action ID=\"Any\" name=\"a0\"/></Sequence></BehaviorTree></root>",
+            *bridge::Leaves::read(kRandomLeaves), counts);
+  CHECK(counts.exact == 1);
+}
+
 TEST_CASE("loops that count go round as they are") {
   const std::string a = "<Action ID=\"Any\" name=\"a0\"/>";
   const std::string b = "<Action ID=\"Any\" name=\"a1\"/>";

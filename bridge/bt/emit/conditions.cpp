@@ -1,6 +1,7 @@
 #include "bridge/bt/emit/conditions.h"
 
 #include "bridge/bt/emit/elements.h"
+#include "bridge/bt/tree/traits.h"
 
 #include <fmt/ranges.h>
 
@@ -148,6 +149,7 @@ Element Conditions::world(const syntax::StateVariable& variable, std::string_vie
   const auto positive = isAnswer ? std::string_view("Yes") : isTwo ? states[0].text : state;
   auto id = std::string(variable.name.text);
   if (!isAnswer) id += fmt::format("_is_{}", positive);
+  if (builtIn(id) != nullptr) id += "_leaf"; // as what `ScriptCondition` is imported as
   conditions.emplace(id, changes);
   auto leaf = element("Condition", {{"ID", id}});
   return state == positive ? leaf : withResults(std::move(leaf), false, true);
