@@ -16,12 +16,15 @@ struct Enumeration {
 /// Writes the stubs in C.
 class CStubs {
 public:
-  explicit CStubs(const StubProgram& of) : program(of), names(reservedInC()) {
-    for (const auto& variable : program.variables)
+  explicit CStubs(const StubProgram& of) : program(of) {
+    for (const auto& action : program.actions) names.take("skill_" + action.skill);
+    for (const auto& variable : program.variables) {
       values.push_back(enumeration(variable.name + "_value", variable.name, variable.values));
+      readers.push_back(names.unique("read_" + values.back().type));
+    }
     for (const auto& action : program.actions) {
       results.push_back(enumeration(action.skill + "_result", action.skill, action.results));
-      stopped.push_back(names.unique(upperSnake(action.skill) + "_WAS_STOPPED"));
+      stopped.push_back(names.unique(upperSnake(plainName(action.skill)) + "_WAS_STOPPED"));
       functions.push_back(names.unique("perform_" + action.skill));
     }
     events = enumeration("robot_event", "event", program.events);
@@ -57,7 +60,7 @@ public:
   [[nodiscard]] StubFile glue() const {
     std::string text = "#include \"actions.h\"\n\n#include <string.h>\n\nPROSKILL_LIBRARY;\n";
     if (!functions.empty()) text += kSuits;
-    for (std::size_t i = 0; i < values.size(); ++i) text += reader(values[i]);
+    for (std::size_t i = 0; i < values.size(); ++i) text += reader(i);
     for (std::size_t i = 0; i < functions.size(); ++i) text += caller(i);
     if (!program.events.empty()) text += teller("report_event", events, "event", "proskill_report");
     if (!program.interrupts.empty())
@@ -96,9 +99,10 @@ static bool suits(proskill_run run, const proskill_value *arguments, size_t coun
 
   Enumeration enumeration(const std::string& type, const std::string& prefix,
                           const std::vector<std::string>& words) {
-    Enumeration made{names.unique(type), {}, words};
+    Enumeration made{names.unique(plainName(type)), {}, words};
     for (const auto& word : words)
-      made.members.push_back(names.unique(upperSnake(prefix) + "_" + upperSnake(word)));
+      made.members.push_back(
+          names.unique(upperSnake(plainName(fmt::format("{}_{}", prefix, word)))));
     return made;
   }
 
@@ -114,15 +118,16 @@ static bool suits(proskill_run run, const proskill_value *arguments, size_t coun
 
   [[nodiscard]] std::string signature(std::size_t action) const {
     auto text = fmt::format("{} {}(proskill_run run", results[action].type, functions[action]);
-    const auto parameters = parameterNames(program.actions[action], reservedInC());
+    const auto parameters = parameterNames(program.actions[action], names);
     for (std::size_t i = 0; i < parameters.size(); ++i)
       text += ", " + typeOf(program.actions[action].parameters[i].type) + parameters[i];
     return text + ")";
   }
 
   /// Function that converts a name to a value. The last name needs no comparison.
-  [[nodiscard]] static std::string reader(const Enumeration& of) {
-    auto text = fmt::format("\nstatic {0} read_{0}(const char *word) {{\n", of.type);
+  [[nodiscard]] std::string reader(std::size_t variable) const {
+    const auto& of = values[variable];
+    auto text = fmt::format("\nstatic {} {}(const char *word) {{\n", of.type, readers[variable]);
     for (std::size_t i = 0; i + 1 < of.words.size(); ++i)
       text +=
           fmt::format("  if (strcmp(word, \"{}\") == 0) return {};\n", of.words[i], of.members[i]);
@@ -131,7 +136,7 @@ static bool suits(proskill_run run, const proskill_value *arguments, size_t coun
 
   [[nodiscard]] std::string caller(std::size_t action) const {
     const auto& of = program.actions[action];
-    const auto readerOf = [&](std::size_t variable) { return "read_" + values[variable].type; };
+    const auto readerOf = [&](std::size_t variable) { return readers[variable]; };
     auto text = fmt::format(
         "\nPROSKILL_EXPORT const char *skill_{}(proskill_run run, const proskill_value *arguments, "
         "size_t count);\n"
@@ -158,8 +163,9 @@ static bool suits(proskill_run run, const proskill_value *arguments, size_t coun
   }
 
   const StubProgram& program;
-  StubNames names;
+  StubNames names = StubNames::ofC();
   std::vector<Enumeration> values;  ///< by variable
+  std::vector<std::string> readers; ///< by variable
   std::vector<Enumeration> results; ///< by action
   std::vector<std::string> stopped;
   std::vector<std::string> functions;

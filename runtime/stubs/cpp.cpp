@@ -9,14 +9,16 @@ namespace {
 /// Writes the stubs in C++.
 class CppStubs {
 public:
-  explicit CppStubs(const StubProgram& of)
-      : program(of), types(reservedInC()), methods(reservedInC()) {
+  explicit CppStubs(const StubProgram& of) : program(of) {
+    names.take("FILE");
+    names.take("DIR");
     for (const auto& variable : program.variables)
-      variables.push_back(types.unique(upperCamel(variable.name)));
-    for (const auto& action : program.actions) {
-      results.push_back(types.unique(upperCamel(action.skill) + "Result"));
-      functions.push_back(methods.unique(action.skill));
-    }
+      variables.push_back(names.unique(upperCamel(variable.name)));
+    for (const auto& action : program.actions)
+      results.push_back(names.unique(upperCamel(action.skill) + "Result"));
+    auto methods = names;
+    for (const auto& action : program.actions)
+      functions.push_back(methods.unique(functionName(action.skill)));
   }
 
   [[nodiscard]] StubFile header() const {
@@ -96,7 +98,7 @@ static void suits(const proskill_value *arguments, std::size_t count, std::size_
 
   /// Members of an enumeration, one for each name.
   static std::vector<std::string> members(const std::vector<std::string>& words) {
-    StubNames own(reservedInC());
+    auto own = StubNames::ofC();
     std::vector<std::string> all;
     for (const auto& word : words) all.push_back(own.unique(upperCamel(word)));
     return all;
@@ -115,7 +117,7 @@ static void suits(const proskill_value *arguments, std::size_t count, std::size_
 
   [[nodiscard]] std::string signature(std::size_t action) const {
     auto text = fmt::format("{} {}(const proskill::Run &run", results[action], functions[action]);
-    const auto parameters = parameterNames(program.actions[action], reservedInC());
+    const auto parameters = parameterNames(program.actions[action], names);
     for (std::size_t i = 0; i < parameters.size(); ++i)
       text += ", " + typeOf(program.actions[action].parameters[i].type) + parameters[i];
     return text + ")";
@@ -182,8 +184,7 @@ static void suits(const proskill_value *arguments, std::size_t count, std::size_
   }
 
   const StubProgram& program;
-  StubNames types;
-  StubNames methods;
+  StubNames names = StubNames::ofC(); ///< of types
   std::vector<std::string> variables; ///< names of their enumerations
   std::vector<std::string> results;   ///< by action
   std::vector<std::string> functions;

@@ -4,39 +4,14 @@
 
 #include <fmt/format.h>
 
-#include <ranges>
-
 namespace proskill::runtime {
 
 namespace {
-
-/// The keywords of both languages, and what the generated text uses itself.
-constexpr std::string_view kReservedInC =
-    "alignas alignof and and_eq asm auto bitand bitor bool break case catch char char16_t "
-    "char32_t char8_t class co_await co_return co_yield compl concept const const_cast "
-    "consteval constexpr constinit continue decltype default delete do double dynamic_cast "
-    "else enum explicit export extern false float for friend goto if inline int long mutable "
-    "namespace new noexcept not not_eq nullptr operator or or_eq private protected public "
-    "register reinterpret_cast requires restrict return short signed sizeof static "
-    "static_assert static_cast struct switch template this thread_local throw true try "
-    "typedef typeid typename typeof union unsigned using virtual void volatile wchar_t while "
-    "xor xor_eq "
-    "linux unix run report interrupt errno assert Actions Event Skill actions suits log "
-    "EOF NULL Robot offsetof stderr stdin stdout";
 
 constexpr std::string_view kLibraryPlatform =
     "{\n  \"kind\": \"library\",\n  \"library\": \"librobot.so\"\n}\n";
 
 } // namespace
-
-std::span<const std::string_view> reservedInC() {
-  static const auto words = [] {
-    std::vector<std::string_view> all;
-    for (const auto word : std::views::split(kReservedInC, ' ')) all.emplace_back(word);
-    return all;
-  }();
-  return words;
-}
 
 std::string argumentText(const StubProgram& program, const StubType& type, std::size_t place,
                          const std::function<std::string(std::size_t)>& reader) {

@@ -5,9 +5,6 @@
 /// What stubs in C and in C++ share.
 namespace proskill::runtime {
 
-/// Keywords of C or C++, and names that the generated text uses itself.
-[[nodiscard]] std::span<const std::string_view> reservedInC();
-
 /// The expression that passes on the argument at this position.
 /// \param reader returns the name of the function that reads values of the variable with this index
 [[nodiscard]] std::string argumentText(const StubProgram& program, const StubType& type,

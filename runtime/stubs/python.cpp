@@ -3,20 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 namespace proskill::runtime {
 
 namespace {
-
-/// Python's keywords, and names that the generated text uses itself.
-constexpr auto kReserved = std::to_array<std::string_view>(
-    {"False", "None",     "True",  "and",         "as",    "assert", "async",  "await",    "break",
-     "class", "continue", "def",   "del",         "elif",  "else",   "except", "finally",  "for",
-     "from",  "global",   "if",    "import",      "in",    "is",     "lambda", "nonlocal", "not",
-     "or",    "pass",     "raise", "return",      "try",   "while",  "with",   "yield",    "self",
-     "stop",  "abc",      "enum",  "bool",        "float", "int",    "str",    "Actions",  "Event",
-     "Stop",  "Platform", "Skill", "platform_of", "mro",   "name",   "value"});
 
 /// Python reserves members such as `_X_` of enumerations, and `__X` does not become one.
 std::string memberName(std::string_view word) {
@@ -31,29 +21,29 @@ std::string memberName(std::string_view word) {
 std::string enumeration(const std::string& name, const std::string& about,
                         const std::vector<std::string>& words) {
   std::string text = fmt::format("\n\nclass {}(enum.Enum):\n    \"\"\"{}\"\"\"\n\n", name, about);
-  StubNames members(kReserved);
+  auto members = StubNames::ofPython();
   for (const auto& word : words)
     text += fmt::format("    {} = \"{}\"\n", members.unique(memberName(word)), word);
   return text;
 }
 
-/// A method that the base class does not have. Python gives names that begin with `__` a meaning of
-/// their own.
+/// Python gives names that begin with `__` a meaning of their own.
 std::string methodFor(const std::string& skill) {
-  const bool isTaken =
-      skill == "report" || skill == "interrupt" || skill == "log" || skill == "platform";
-  if (skill.starts_with("__")) return "skill" + skill;
-  return isTaken ? skill + "_" : skill;
+  return skill.starts_with("__") ? "skill" + skill : skill;
 }
 
 /// Writes the stubs in Python.
 class PythonStubs {
 public:
-  explicit PythonStubs(const StubProgram& of) : program(of), names(kReserved), methods(kReserved) {
+  explicit PythonStubs(const StubProgram& of) : program(of) {
     for (const auto& variable : program.variables)
       variables.push_back(names.unique(upperCamel(variable.name)));
-    for (const auto& action : program.actions) {
+    for (const auto& action : program.actions)
       results.push_back(names.unique(upperCamel(action.skill) + "Result"));
+    auto methods = names;
+    for (const auto* const own : {"report", "interrupt", "log", "platform", "_abc_impl"})
+      methods.take(own);
+    for (const auto& action : program.actions) {
       functions.push_back(methods.unique(methodFor(action.skill)));
       parameters.push_back(parametersOf(action));
     }
@@ -107,7 +97,7 @@ private:
 
   [[nodiscard]] std::vector<Parameter> parametersOf(const StubAction& action) const {
     std::vector<Parameter> all;
-    for (auto& name : parameterNames(action, kReserved)) {
+    for (auto& name : parameterNames(action, names)) {
       const StubType& type = action.parameters[all.size()].type;
       all.push_back({std::move(name), typeOf(type), type.kind == StubType::Kind::Value});
     }
@@ -167,10 +157,9 @@ private:
   }
 
   const StubProgram& program;
-  StubNames names;
-  StubNames methods;
-  std::vector<std::string> variables; ///< names of their classes
-  std::vector<std::string> results;   ///< by action
+  StubNames names = StubNames::ofPython(); ///< of classes
+  std::vector<std::string> variables;      ///< names of their classes
+  std::vector<std::string> results;        ///< by action
   std::vector<std::string> functions;
   std::vector<std::vector<Parameter>> parameters;
 };

@@ -10,10 +10,6 @@ namespace {
 
 constexpr std::string_view kMark = "Written by `proskill stubs`, which writes it anew: ";
 
-bool isLower(char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'); }
-bool isUpper(char c) { return c >= 'A' && c <= 'Z'; }
-char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
-
 /// FNV-1a, 64 bits.
 std::uint64_t hashOf(std::string_view text) {
   std::uint64_t hash = 0xcbf29ce484222325U;
@@ -23,32 +19,11 @@ std::uint64_t hashOf(std::string_view text) {
 
 } // namespace
 
-std::string upperCamel(std::string_view name) {
-  std::string made;
-  bool begins = true;
-  for (const char c : name) {
-    if (c != '_') made += begins ? upper(c) : c;
-    begins = c == '_';
-  }
-  return made;
-}
-
-std::string upperSnake(std::string_view name) {
-  std::string made;
-  for (std::size_t i = 0; i < name.size(); ++i) {
-    if (i > 0 && isUpper(name[i]) && isLower(name[i - 1])) made += '_';
-    made += upper(name[i]);
-  }
-  return made;
-}
-
-std::vector<std::string> parameterNames(const StubAction& action,
-                                        std::span<const std::string_view> reserved) {
-  StubNames own(reserved);
+std::vector<std::string> parameterNames(const StubAction& action, StubNames around) {
   std::vector<std::string> all;
   for (const auto& parameter : action.parameters)
-    all.push_back(own.unique(parameter.name.empty() ? fmt::format("argument{}", all.size() + 1)
-                                                    : parameter.name));
+    all.push_back(around.unique(parameter.name.empty() ? fmt::format("argument{}", all.size() + 1)
+                                                       : functionName(parameter.name)));
   return all;
 }
 

@@ -13,6 +13,8 @@ import sys
 import tempfile
 import unittest
 
+import taken_names
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = sys.argv[1]
 MISSION = """
@@ -358,19 +360,19 @@ class Stubs(Library):
         self.assertNotEqual(built.returncode, 0)
         self.assertIn("Seen" if language == "cpp" else "LOOK_SEEN", built.stderr)
 
-    def test_names_that_mean_something_in_c(self):
+    def test_names_that_mean_something_in_c_or_in_the_generated_text(self):
+        (self.path / "platform.json").unlink()
+        (self.path / "mission.proskill").write_text(taken_names.MISSION, encoding="utf-8")
         for language in ("c", "cpp"):
             with self.subTest(language):
-                (self.path / "mission.proskill").write_text("""(defsv stdin :states (EOF NULL linux) :init NULL)
-                    (defskill Robot :input ($stdin stdin $errno int) :action (x $stdin $errno) :success (NULL EOF stderr))
-                    (defskill offsetof :action (x))
-                    (defskill mission :body ((Robot stdin EOF errno 1) (offsetof)))""", encoding="utf-8")
                 self.stubs(language)
                 built = self.make()
                 self.assertEqual(built.returncode, 0, built.stderr)
-                for each in self.path.iterdir():
-                    if each.is_file():
-                        each.unlink()
+                self.run_it()
+                self.assertEqual(self.said.count("fault: its action failed: not written yet"), taken_names.ACTIONS)
+                shutil.rmtree(self.path / "proskill")
+                for each in ("platform.json", "Makefile", "librobot.so"):
+                    (self.path / each).unlink()
 
     def test_in_c(self):
         self.check("c", "robot.c", ['proskill_fail(run, "not written yet");\n  return FLY_WAS_STOPPED;',

@@ -11,6 +11,8 @@ import sys
 import tempfile
 import unittest
 
+import taken_names
+
 MYPY = shutil.which("mypy")
 if not MYPY:
     print("skipped: mypy is not installed (apt-get install mypy)")
@@ -51,6 +53,10 @@ class Types(unittest.TestCase):
     def test_stubs_have_no_type_errors(self):
         self.assertEqual(self.errors("robot.py", cwd=self.stubs(self.program)), "")
         self.assertEqual(self.errors("robot.py", cwd=self.stubs(ROOT / "examples/rover/rover.proskill", "rover")), "")
+
+    def test_names_of_the_generated_text_have_no_type_errors(self):
+        self.program.write_text(taken_names.MISSION, encoding="utf-8")
+        self.assertEqual(self.errors("robot.py", cwd=self.stubs(self.program)), "")
 
     def test_changes_of_the_program_are_type_errors(self):
         robot = self.stubs(self.program) / "robot.py"

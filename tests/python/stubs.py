@@ -11,6 +11,8 @@ import sys
 import tempfile
 import unittest
 
+import taken_names
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = sys.argv[1]
 SURROUNDINGS = dict(os.environ, PYTHONPATH=str(ROOT / "python"))
@@ -109,6 +111,16 @@ class Stubs(unittest.TestCase):
         lines, done = self.run_it()
         said = [line.get("description") for line in lines]
         self.assertEqual(said.count("fault: its action failed: NotImplementedError: "), 3, f"{said}\n{done.stderr}")
+
+    def test_names_of_the_generated_text_itself(self):
+        self.program.write_text(taken_names.MISSION, encoding="utf-8")
+        self.stubs()
+        done = self.python("-c", "import actions, robot\nassert issubclass(robot.Robot, actions.Actions)")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        lines, done = self.run_it()
+        said = [line.get("description") for line in lines]
+        self.assertEqual(said.count("fault: its action failed: NotImplementedError: "), taken_names.ACTIONS,
+                         f"{said}\n{done.stderr}")
 
     def test_a_result_may_have_a_name_that_enumerations_reserve(self):
         self.change("(blocked lost)", "(_x_ x __init__ _ __2)")
