@@ -78,7 +78,20 @@ void Execution::step() {
 void Execution::passTimeTo(Nanoseconds to) {
   if (to <= date) return;
   stepsAtOnce = 0;
-  date = to;
+  for (auto next = nextJudgement(); next && *next > date && *next < to; next = nextJudgement())
+    judgeUntil(*next);
+  judgeUntil(to);
+}
+
+/// The first date at which something takes too long, or at which a property is decided.
+std::optional<Nanoseconds> Execution::nextJudgement() {
+  const auto overshoot = watch.nextOvershoot();
+  const auto decision = properties.nextDecision(machine.state().data());
+  return overshoot && decision ? std::min(overshoot, decision) : overshoot ? overshoot : decision;
+}
+
+void Execution::judgeUntil(Nanoseconds until) {
+  date = until;
   watch.tellOvershoots(date, [&](const Remark& remark) { tell(remark); });
   properties.wait(machine.state().data(), date, decided);
 }
@@ -102,8 +115,7 @@ void Execution::await(const std::optional<Machine::Due>& due) {
     if (other && (!first || *other < *first)) first = other;
   };
   if (due) limit(due->date);
-  limit(watch.nextOvershoot());
-  limit(properties.nextDecision(machine.state().data()));
+  limit(nextJudgement());
   limit(graceEnd());
   if (!first && !platform.mayReport()) return end(End::Stuck);
   limit(options.until);

@@ -55,6 +55,8 @@ private:
   // Steps
   void step();
   void passTimeTo(Nanoseconds to);
+  [[nodiscard]] std::optional<Nanoseconds> nextJudgement();
+  void judgeUntil(Nanoseconds until);
   void tellHeldUp(Nanoseconds late);
   void await(const std::optional<Machine::Due>& due);
   void take(verify::TransitionId step, Nanoseconds at);

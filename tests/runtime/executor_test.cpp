@@ -2,6 +2,7 @@
 #include "tests/runtime/run_of.h"
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <functional>
@@ -297,6 +298,24 @@ TEST_CASE("a result that is read late, since a clock has jumped, comes with a no
   INFO(ran.text());
   CHECK(ran.result.end == End::Mission);
   CHECK(std::ranges::count(ran.remarks, RemarkKind::Note, &test::Ran::Told::kind) == 1);
+}
+
+TEST_CASE("what is judged late is reported with its own date, and in the order of dates") {
+  const auto executable = test::executableOf(
+      "(defskill fly :time_interval [2,5] :action (fly) :success there)"
+      "(defskill look :time_interval [1,4] :action (look) :success seen)"
+      "(defskill mission :success done :body ((// ((fly)) ((look))) (success done)))"
+      "(defproperty early (leadsto (running fly) (= fly.status success) :within [0,4.5]))"
+      "(defproperty late (leadsto (running fly) (= fly.status success) :within [0,6]))",
+      false);
+  Silent silent;
+  Jumping clock({0, 60 * runtime::kSecond});
+  const auto ran = runOf(*executable, silent, clock, {.until = 60 * runtime::kSecond});
+  std::string said;
+  for (const auto& [kind, date, subject, text] : ran.remarks)
+    if (kind == RemarkKind::Overshoot || kind == RemarkKind::Violated)
+      said += fmt::format("{} {}\n", subject, date);
+  CHECK(said == "look 4000000001\nearly 4500000001\nfly 5000000001\nlate 6000000001\n");
 }
 
 TEST_CASE("a clock that goes back does not take time back") {
