@@ -2,8 +2,8 @@
 
 #include "disk/large_file.h"
 #include "report/ordered_json.h"
+#include "report/run/parts/recording_part.h"
 #include "report/run/read_recording.h"
-#include "report/run/recording_part.h"
 #include "report/sources.h"
 
 #include <fmt/format.h>
@@ -90,12 +90,13 @@ std::expected<std::string, std::string> textOf(const LaunchArguments& arguments,
   const auto file = disk::LargeFile::open(arguments.trace);
   if (!file) return disk.read(arguments.trace); // for its error
   const report::mcap::File recording{file->size(), file->reader()};
-  if (!recording.isMcap()) {
+  const report::PartOfRun wanted{.from = arguments.from};
+  if (!isShownInParts(recording, wanted)) {
     auto text = disk.read(arguments.trace);
     if (!text) return std::unexpected(report::whyNotShown(recording, text.error()));
     return text;
   }
-  auto part = report::traceOfPart(recording, {.from = arguments.from});
+  auto part = report::traceOfPart(recording, wanted);
   if (!part) return std::unexpected(part.error());
   return std::move(part->text);
 }

@@ -9,7 +9,7 @@
 #include "cli/terminal/number.h"
 #include "disk/disk.h"
 #include "disk/large_file.h"
-#include "report/run/recording_part.h"
+#include "report/run/parts/recording_part.h"
 #include "view/http_server.h"
 #include "view/panel_routes.h"
 
@@ -41,16 +41,25 @@ bool isRecorded(const std::filesystem::path& path, const std::string& text) {
   return first != std::string::npos && text[first] == '{';
 }
 
-/// The trace of a part of the file, if it is an MCAP file. \param from as of `report::PartOfRun`
-std::optional<std::expected<report::TraceOfPart, std::string>>
-partOfRecording(const std::string& path, std::optional<double> from) {
+using FoundPart = std::expected<report::TraceOfPart, std::string>;
+
+/// The trace of a part of the file, if it is shown in parts. \param from as of `report::PartOfRun`
+std::optional<FoundPart> firstPart(const std::string& path, std::optional<double> from) {
   const auto file = disk::LargeFile::open(path);
   if (!file) return std::nullopt;
   const report::mcap::File recording{file->size(), file->reader()};
-  if (!recording.isMcap()) return std::nullopt;
   report::PartOfRun part;
   part.from = from;
+  if (!isShownInParts(recording, part)) return std::nullopt;
   return traceOfPart(recording, part);
+}
+
+FoundPart otherPart(const std::string& path, std::optional<double> from) {
+  const auto file = disk::LargeFile::open(path);
+  if (!file) return std::unexpected(file.error());
+  report::PartOfRun part;
+  part.from = from;
+  return traceOfPart({file->size(), file->reader()}, part);
 }
 
 std::string whyUnreadable(const std::filesystem::path& path, const std::string& reason) {
@@ -63,10 +72,9 @@ recordedRun(const std::string& file, const report::TraceOfPart& part) {
   if (part.isWhole) return view::savedReport(file, part.text);
   return view::savedReport(file, part.text,
                            [file](auto from) -> std::expected<std::string, std::string> {
-                             auto other = partOfRecording(file, from);
-                             if (!other) return std::unexpected("it is no longer a recording");
-                             if (!*other) return std::unexpected((*other).error());
-                             return std::move((*other)->text);
+                             auto other = otherPart(file, from);
+                             if (!other) return std::unexpected(other.error());
+                             return std::move(other->text);
                            });
 }
 
@@ -78,7 +86,7 @@ std::optional<double> startOf(const ViewArguments& arguments) {
 std::expected<std::unique_ptr<view::PanelData>, std::string> dataOf(const ViewArguments& arguments,
                                                                     view::EventFeed& news) {
   const std::filesystem::path path(arguments.file);
-  if (const auto part = partOfRecording(arguments.file, startOf(arguments))) {
+  if (const auto part = firstPart(arguments.file, startOf(arguments))) {
     if (!*part) return std::unexpected("`" + arguments.file + "`: " + part->error());
     return recordedRun(arguments.file, **part);
   }

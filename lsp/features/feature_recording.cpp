@@ -2,7 +2,7 @@
 #include "disk/large_file.h"
 #include "lsp/protocol/convert.h"
 #include "lsp/protocol/registry.h"
-#include "report/run/recording_part.h"
+#include "report/run/parts/recording_part.h"
 #include "report/sources.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 #include "report/run/read_recording.h"
 
 #include "report/ordered_json.h"
+#include "report/run/lines.h"
 #include "report/run/recorded_json.h"
 
 #include <algorithm>
@@ -15,6 +16,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr int kDeepest = 1000; ///< values within each other
+constexpr std::string_view kStepsBegin = "\"steps\":[";
 
 Json parsed(std::string_view text, const Json::parser_callback_t& each) {
   return Json::parse(
@@ -25,45 +27,6 @@ Json parsed(std::string_view text, const Json::parser_callback_t& each) {
       },
       false);
 }
-
-/// The lines of a file one after the other.
-class Lines {
-public:
-  explicit Lines(const mcap::File& of) : file(of) {}
-
-  /// Where the next line begins.
-  [[nodiscard]] std::uint64_t position() const { return place - (buffer.size() - used); }
-  /// The next line, without its end; nullopt after the last one. Valid until the next call.
-  std::optional<std::string_view> next() {
-    auto end = buffer.find('\n', used);
-    while (end == std::string::npos && readMore()) end = buffer.find('\n', searched);
-    if (end == std::string::npos && used == buffer.size()) return std::nullopt;
-    const auto line = std::string_view(buffer).substr(used, end - used);
-    used = std::min(end, buffer.size() - 1) + 1;
-    return line;
-  }
-
-private:
-  /// Keeps what was not returned yet.
-  bool readMore() {
-    constexpr std::uint64_t kBlock = std::uint64_t{1} << 20;
-    buffer.erase(0, std::exchange(used, 0));
-    searched = buffer.size();
-    if (searched > kLongest) throw WrongRecording{"it has a line of more than 256 MiB"};
-    const auto more = file.read(place, kBlock);
-    place += more.size();
-    buffer += more;
-    return !more.empty();
-  }
-
-  static constexpr std::size_t kLongest = std::size_t{256} << 20;
-
-  const mcap::File& file;
-  std::uint64_t place = 0; ///< of what is read next
-  std::string buffer;
-  std::size_t used = 0; ///< what was returned
-  std::size_t searched = 0;
-};
 
 /// A trace in one text.
 struct WholeTrace {
@@ -114,12 +77,9 @@ public:
       : file(of), program(in), lines(of), reader(in), to(into) {}
 
   void read() {
-    const auto first = lines.next();
-    const auto head = first && first->ends_with(kBegin)
-                          ? runtime::parsedText(std::string(*first) + "]}")
-                          : Json(Json::value_t::discarded);
-    if (head.is_discarded()) return readWhole();
-    if (to.onHead(recordedHead(head))) readSteps();
+    const auto head = headOfLines(lines.next().value_or(""));
+    if (!head) return readWhole();
+    if (to.onHead(recordedHead(runtime::parsedText(*head)))) readSteps();
   }
 
 private:
@@ -148,12 +108,10 @@ private:
 
   void readStepsFrom(std::uint64_t place) {
     const auto rest =
-        wholeTrace(file, program, std::string("{") + std::string(kBegin) + "\n", place);
+        wholeTrace(file, program, std::string("{") + std::string(kStepsBegin) + "\n", place);
     if (rest.beside.size() > 1) throw WrongRecording{"its steps are not its last member"};
     (void)replaySteps(rest.run, to);
   }
-
-  static constexpr std::string_view kBegin = "\"steps\":[";
 
   const mcap::File& file;
   const analysis::Program& program;
@@ -177,6 +135,12 @@ void readMcap(const mcap::File& file, const analysis::Program& program, runtime:
 }
 
 } // namespace
+
+std::optional<std::string> headOfLines(std::string_view firstLine) {
+  if (!firstLine.ends_with(kStepsBegin)) return std::nullopt;
+  auto head = std::string(firstLine) + "]}";
+  return Json::accept(head) ? std::optional(std::move(head)) : std::nullopt;
+}
 
 std::string completed(std::string_view text) {
   // whole lines; or without the last one, which was cut

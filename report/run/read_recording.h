@@ -21,6 +21,10 @@ inline constexpr std::string_view kStatusSuffix = ".status";
 /// The text of a trace. \param head its JSON object without steps, which is not empty
 [[nodiscard]] std::string traceWith(std::string head, const std::vector<std::string_view>& steps);
 
+/// The trace without its steps, if it has a step in each line, as it is recorded. \param firstLine
+/// of the file
+[[nodiscard]] std::optional<std::string> headOfLines(std::string_view firstLine);
+
 /// The text of a recording that was cut off, as a trace up to its last complete step; as it is if
 /// that is not possible. A recording has a step in each line.
 [[nodiscard]] std::string completed(std::string_view text);

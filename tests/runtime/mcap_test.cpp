@@ -1,5 +1,5 @@
 #include "report/ordered_json.h"
-#include "report/run/recording_part.h"
+#include "report/run/parts/recording_part.h"
 #include "report/run/run_report.h"
 #include "runtime/platform/simulated.h"
 #include "tests/support/recorded.h"

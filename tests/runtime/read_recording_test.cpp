@@ -1,5 +1,6 @@
+#include "report/ordered_json.h"
+#include "report/run/parts/recording_part.h"
 #include "report/run/read_recording.h"
-#include "report/run/recording_part.h"
 #include "tests/support/recorded.h"
 #include "tests/support/texts.h"
 
@@ -36,6 +37,13 @@ std::string traceOf(const std::string& steps) {
 std::string recordedStep(const std::string& date, const std::string& before = "") {
   return R"({)" + before + R"("actor":"m","date":{"exact":")" + date +
          R"("},"delay":{"exact":"0"},"changes":[],"why":""})";
+}
+
+/// A step that counts `n` up.
+std::string recordedChange(int seconds) {
+  return fmt::format(
+      R"({{"actor":"m","date":{{"exact":"{0}"}},"changes":[{{"variable":"n","before":"{1}","after":"{0}"}}]}})",
+      seconds, seconds - 1);
 }
 
 /// A file whose middle is repeated, of which no more than its parts are in memory.
@@ -208,6 +216,47 @@ TEST_CASE("a long trace in another form is an error") {
   Count all;
   CHECK(report::readRecording(vast.file(), program, all) ==
         "it is larger than 256 MiB, and does not have a step in each line");
+}
+
+TEST_CASE("a part of a long trace begins at a date of its run, with the values of then") {
+  auto text = std::string(kHead) + R"(,"initial":{"n":"-1","x":"1"},"steps":[)" + "\n";
+  for (int i = 0; i < 30'000; ++i) text += recordedChange(i) + ",\n";
+  for (const auto* const end : {"", "]}\n", "{\"actor\":\"m\",\"da"}) {
+    const auto all = text + end;
+    const auto recording = test::fileOf(all);
+    const report::PartOfRun wanted{.from = 15'000, .bytes = 1};
+    CHECK(report::isShownInParts(recording, wanted));
+    CHECK_FALSE(report::isShownInParts(recording, {}));
+    const auto part = report::traceOfPart(recording, wanted);
+    REQUIRE(part);
+    CHECK(part->begin <= 15'000);
+    CHECK(part->end >= 15'000);
+    CHECK(part->length == 29'999);
+    const auto trace = OrderedJson::parse(part->text);
+    const auto first = static_cast<int>(part->begin);
+    CHECK(trace["initial"]["n"] == std::to_string(first - 1));
+    CHECK(trace["initial"]["x"] == "1");
+    CHECK(trace["steps"].front() == OrderedJson::parse(recordedChange(first)));
+    CHECK(trace["steps"].size() == static_cast<std::size_t>(part->end - part->begin) + 1);
+    CHECK(report::traceOfPart(recording, {.bytes = 1})->end == 29'999);
+    CHECK(report::traceOfPart(recording, {})->isWhole);
+    CHECK(report::traceOfPart(recording, {})->text == text.substr(0, text.size() - 2) + "\n]}\n");
+  }
+}
+
+TEST_CASE("a trace that is too large to be shown as a whole is read in small parts") {
+  auto vast = longTrace();
+  CHECK_FALSE(report::isShownInParts(vast.file(), {}));
+  vast.times = (std::uint64_t{16} << 20) / vast.middle.size();
+  const auto part = report::traceOfPart(vast.file(), {.bytes = std::uint64_t{1} << 20});
+  REQUIRE(part);
+  CHECK_FALSE(part->isWhole);
+  CHECK(part->text.size() < std::size_t{2} << 20);
+  CHECK(vast.largestRead < std::uint64_t{2} << 20);
+  vast.times = std::uint64_t{1} << 40;
+  CHECK(report::isShownInParts(vast.file(), {}));
+  vast.begin = "{\n";
+  CHECK_FALSE(report::isShownInParts(vast.file(), {}));
 }
 
 TEST_CASE("a trace that is too large to be shown comes with an advice") {

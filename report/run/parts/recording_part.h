@@ -25,7 +25,11 @@ struct TraceOfPart {
   bool isWhole = true;
 };
 
-/// The error is a message. \pre it is an MCAP file
+/// Whether of a file only a part is shown: of each MCAP file, and of a trace with a step in each
+/// line that is larger than 256 MiB, or of which a part from a date on is wanted.
+[[nodiscard]] bool isShownInParts(const mcap::File& file, const PartOfRun& part);
+
+/// The error is a message. \pre it is shown in parts
 [[nodiscard]] std::expected<TraceOfPart, std::string> traceOfPart(const mcap::File& recording,
                                                                   const PartOfRun& part);
 

@@ -1,6 +1,7 @@
-#include "report/run/recording_part.h"
+#include "report/run/parts/recording_part.h"
 
-#include "report/ordered_json.h"
+#include "report/run/lines.h"
+#include "report/run/parts/run_parts.h"
 #include "report/run/read_recording.h"
 
 #include <fmt/format.h>
@@ -34,18 +35,15 @@ std::pair<std::size_t, std::size_t> chosen(const std::vector<mcap::Stretch>& all
 
 class PartReader {
 public:
-  explicit PartReader(const mcap::File& of) : file(of), layout(layoutOf(of)) {}
+  PartReader(const mcap::File& of, const RunParts& in) : file(of), parts(in) {}
 
   std::expected<TraceOfPart, std::string> read(const PartOfRun& part) {
-    const auto head = layout.metadata.find(std::string(kTraceHead));
-    auto trace = head == layout.metadata.end() ? OrderedJson() : parsedJson(head->second);
-    if (!trace.is_object())
-      return std::unexpected("it was not recorded by `proskill run`, or by an older one");
-    if (layout.stretches.empty()) return TraceOfPart{.text = textOf(trace, {})};
-    const auto [first, end] = chosen(layout.stretches, part);
+    auto trace = parts.head();
+    if (parts.stretches().empty()) return TraceOfPart{.text = textOf(trace, {})};
+    const auto [first, end] = chosen(parts.stretches(), part);
     for (auto i = first; i < end; ++i)
-      bytes += file.readAtMost(layout.stretches[i].at, layout.stretches[i].size);
-    const auto steps = messages("/steps");
+      bytes += file.readAtMost(parts.stretches()[i].at, parts.stretches()[i].size);
+    const auto steps = parts.steps(bytes);
     if (!steps) return std::unexpected(steps.error());
     auto made = placeOf(first, end);
     if (!made.isWhole) {
@@ -55,26 +53,19 @@ public:
       trace["description"] =
           fmt::format("{}: {:.6g} to {:.6g} s of {:.6g} s", run, made.begin, made.end, made.length);
     }
-    if (first > 0) setValues(trace);
+    if (first > 0)
+      for (const auto& [name, value] : parts.valuesAt(first, bytes)) trace["initial"][name] = value;
     made.text = textOf(trace, *steps);
     return made;
   }
 
 private:
-  using Messages = std::expected<std::vector<std::string_view>, std::string>;
-
-  [[nodiscard]] Messages messages(std::string_view topic) const {
-    const auto channel = layout.channels.find(std::string(topic));
-    if (channel == layout.channels.end()) return Messages();
-    return mcap::messagesIn(bytes, channel->second);
-  }
-
   [[nodiscard]] double secondsAt(std::uint64_t time) const {
-    return static_cast<double>(time - layout.stretches.front().first) / 1e9;
+    return static_cast<double>(time - parts.stretches().front().first) / 1e9;
   }
 
   [[nodiscard]] TraceOfPart placeOf(std::size_t first, std::size_t end) const {
-    const auto& all = layout.stretches;
+    const auto& all = parts.stretches();
     return {.text = {},
             .begin = secondsAt(all[first].first),
             .end = secondsAt(all[end - 1].last),
@@ -82,45 +73,45 @@ private:
             .isWhole = first == 0 && end == all.size()};
   }
 
-  /// The values at the beginning of the part: the first messages in it.
-  void setValues(OrderedJson& trace) const {
-    for (const auto topic : {kVariablesTopic, kSkillsTopic}) {
-      const auto all = messages(topic);
-      if (!all || all->empty()) continue;
-      const auto values = parsedJson(all->front());
-      if (!values.is_object()) continue;
-      const std::string suffix(topic == kSkillsTopic ? kStatusSuffix : "");
-      for (const auto& [name, value] : values.items())
-        trace["initial"][name + suffix] =
-            value.is_string() ? value.get<std::string>() : value.dump();
-    }
-  }
-
   static std::string textOf(const OrderedJson& trace, const std::vector<std::string_view>& steps) {
     return traceWith(trace.dump(-1, ' ', false, OrderedJson::error_handler_t::replace), steps);
   }
 
   const mcap::File& file;
-  mcap::Layout layout;
+  const RunParts& parts;
   std::string bytes; ///< of the part
 };
 
+/// Whether a file is too large to be shown as a whole.
+bool isLarge(const mcap::File& file) { return file.size > std::uint64_t{256} << 20; }
+
 } // namespace
+
+bool isShownInParts(const mcap::File& file, const PartOfRun& part) {
+  if (file.isMcap()) return true;
+  if (!part.from && !isLarge(file)) return false;
+  try {
+    return headOfLines(Lines(file).next().value_or("")).has_value();
+  } catch (const WrongRecording&) {
+    return false;
+  }
+}
 
 std::expected<TraceOfPart, std::string> traceOfPart(const mcap::File& recording,
                                                     const PartOfRun& part) {
   try {
-    return PartReader(recording).read(part);
+    const auto parts = recording.isMcap() ? partsOfMcap(recording) : partsOfTrace(recording);
+    if (!parts) return std::unexpected(parts.error());
+    return PartReader(recording, **parts).read(part);
   } catch (const OrderedJson::exception&) {
     return std::unexpected("it is damaged");
   }
 }
 
 std::string whyNotShown(const mcap::File& file, const std::string& reason) {
-  constexpr std::uint64_t kLarge = std::uint64_t{256} << 20;
-  if (file.size <= kLarge || file.read(0, 1) != "{") return reason;
-  return reason + "; long runs are shown in parts if they are recorded as MCAP (`--record "
-                  "run.mcap`), and `proskill conform` reads traces of any size";
+  if (!isLarge(file) || file.read(0, 1) != "{") return reason;
+  return reason + "; long runs are shown in parts if they have a step in each line, as "
+                  "`proskill run --record` writes them";
 }
 
 } // namespace proskill::report
