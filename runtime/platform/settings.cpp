@@ -197,6 +197,16 @@ unsigned restartsOf(const Json& file) {
   return restarts.get<unsigned>();
 }
 
+/// Simulated, unless the file has what another kind needs: then its kind was forgotten.
+PlatformKind unnamedKind(const Json& file) {
+  for (const auto& [member, kind] : {std::pair("command", "process"), {"library", "library"}})
+    if (const auto found = file.find(member); found != file.end())
+      throw Wrong{
+          fmt::format("`\"kind\": \"{}\"` is missing: a simulation has no `{}`", kind, member),
+          &*found};
+  return PlatformKind::Simulated;
+}
+
 PlatformKind kindOf(const Json& file) {
   static const std::map<std::string, PlatformKind, std::less<>> kinds{
       {"simulated", PlatformKind::Simulated},
@@ -204,7 +214,7 @@ PlatformKind kindOf(const Json& file) {
       {"library", PlatformKind::Library},
       {"ros1", PlatformKind::Ros1},
       {"ros2", PlatformKind::Ros2}};
-  if (!file.contains("kind")) return PlatformKind::Simulated;
+  if (!file.contains("kind")) return unnamedKind(file);
   const auto& named = stringAt(file, "kind");
   if (const auto found = kinds.find(named); found != kinds.end()) return found->second;
   throw Wrong{"`kind` must be `simulated`, `process`, `library`, `ros1` or `ros2`, not `" + named +

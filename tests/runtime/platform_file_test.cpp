@@ -142,6 +142,10 @@ TEST_CASE("the kind of a platform file is checked at its place") {
   using runtime::PlatformKind;
   CHECK(PlatformFile::parse("{}").value().kind == PlatformKind::Simulated);
   CHECK(PlatformFile::parse(R"({"kind": "library"})").value().kind == PlatformKind::Library);
+  CHECK(textOf(PlatformFile::parse(R"({"command": ["robot"]})").error()) ==
+        "1:13: `\"kind\": \"process\"` is missing: a simulation has no `command`");
+  CHECK(textOf(PlatformFile::parse(R"({"library": "robot.so"})").error()) ==
+        "1:13: `\"kind\": \"library\"` is missing: a simulation has no `library`");
   const auto file = PlatformFile::parse("{\n  \"kind\": \"robot\"}");
   REQUIRE_FALSE(file);
   CHECK_THAT(textOf(file.error()), StartsWith("2:11: `kind` must be `simulated`, "));
