@@ -187,6 +187,11 @@ private:
     return exitCode;
   }
 
+  /// Five seconds of real time, which a process needs to end however fast the clock is.
+  static runtime::Nanoseconds endGrace(double factor) {
+    return static_cast<runtime::Nanoseconds>(5 * runtime::kSecond * std::max(factor, 1.0));
+  }
+
   static void warnOfRealtime(bool isReal) {
     if (!isReal) throw Failed{fail("`--realtime` is for real clocks: see `--clock`")};
     if (const auto refused = becomeRealtime(); !refused.empty())
@@ -258,6 +263,7 @@ private:
     if (monitor) observers.add(monitor->observer());
     runtime::RunOptions options{.seed = arguments.seed,
                                 .until = arguments.until,
+                                .endGrace = endGrace(factor.value_or(1)),
                                 .stopRequests = &stopRequests(),
                                 .stopDescriptor = stopDescriptor(),
                                 .pause = isPausable() ? &pause : nullptr};

@@ -89,7 +89,7 @@ private:
   void waitUntil(std::optional<Nanoseconds> until);
   void waitForPlatform();
   void catchUp();
-  [[nodiscard]] Nanoseconds afterGrace() const;
+  [[nodiscard]] Nanoseconds after(Nanoseconds grace) const;
   void tell(const Remark& remark);
   void tellRun(ReportKind kind);
   [[nodiscard]] std::string_view nameOf(std::uint32_t action) const;

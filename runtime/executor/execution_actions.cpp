@@ -44,7 +44,7 @@ void Execution::stopAction(std::uint32_t action) {
   auto& run = runs[action];
   watch.end(action);
   run.isStopping = true;
-  run.stopBy = afterGrace();
+  run.stopBy = after(options.grace);
   tell({.kind = RemarkKind::Asked, .date = date, .subject = nameOf(action)});
   if (platform.stop(action, run.number, date)) returned(action, kUnknownResult);
 }

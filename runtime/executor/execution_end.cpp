@@ -22,7 +22,7 @@ void Execution::shutDown() {
   passTimeTo(due ? std::min(due->date, clock.now()) : clock.now());
   tell({.kind = RemarkKind::Note, .date = date, .text = "asked to end: actions are stopped"});
   stopAll();
-  deadline = afterGrace();
+  deadline = after(options.endGrace.value_or(options.grace));
   phase = Phase::Stops;
 }
 
@@ -59,7 +59,7 @@ void Execution::beginClose() {
   outcome.date = date;
   goOn();
   platform.close();
-  deadline = afterGrace();
+  deadline = after(options.endGrace.value_or(options.grace));
   isClosing = true;
 }
 
@@ -116,7 +116,9 @@ void Execution::catchUp() {
 }
 
 /// The end of a time that the platform gets from now on. The last step may be long ago.
-Nanoseconds Execution::afterGrace() const { return std::max(clock.now(), date) + options.grace; }
+Nanoseconds Execution::after(Nanoseconds grace) const {
+  return std::max(clock.now(), date) + grace;
+}
 
 void Execution::end(End how) {
   outcome.end = how;

@@ -21,8 +21,10 @@ enum class End : std::uint8_t {
 struct RunOptions {
   std::uint64_t seed = 0;
   std::optional<Nanoseconds> until;
-  /// Time that actions have to stop before the platform is given up.
+  /// Time that an action has to stop before it is given up.
   Nanoseconds grace = 5 * kSecond;
+  /// Likewise for all of them when the run ends, and then for the platform; nullopt: as `grace`.
+  std::optional<Nanoseconds> endGrace;
   /// Number of steps at one date that is taken for an endless loop.
   std::uint64_t mostAtOnce = 100'000;
   /// Counts requests to end the run. May be null.

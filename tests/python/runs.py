@@ -39,6 +39,9 @@ def fly(how: str, stop: Stop):
     return "there"
 
 robot.run()
+if LINGERS:
+    import time
+    time.sleep(0.5)
 """
 
 
@@ -54,14 +57,14 @@ class Runs(unittest.TestCase):
         self.addCleanup(self.directory.cleanup)
         self.path = pathlib.Path(self.directory.name)
 
-    def fly(self, how):
+    def fly(self, how, *options):
         (self.path / "mission.proskill").write_text(MISSION.replace("HOW", how), encoding="utf-8")
-        (self.path / "robot.py").write_text(f"PACKAGE = {str(ROOT / 'python')!r}\n{ROBOT}", encoding="utf-8")
+        (self.path / "robot.py").write_text(f"PACKAGE = {str(ROOT / 'python')!r}\nLINGERS = {how == 'lingers'}\n{ROBOT}", encoding="utf-8")
         platform = self.path / "platform.json"
         platform.write_text(json.dumps({"kind": "process", "command": [sys.executable, "robot.py"]}),
                             encoding="utf-8")
         recording = self.path / "run.json"
-        done, lines = run(self.path / "mission.proskill", platform, "--record", recording)
+        done, lines = run(self.path / "mission.proskill", platform, "--record", recording, *options)
         self.recorded = json.loads(recording.read_text(encoding="utf-8"))["steps"]
         return done, lines[-1], [line["description"].removeprefix("fault: ") for line in lines if line.get("remark") == "fault"]
 
@@ -69,6 +72,10 @@ class Runs(unittest.TestCase):
         done, end, faults = self.fly("well")
         self.assertEqual((done.returncode, end["mission"], faults), (0, "success", []))
         self.assertIn("flying well", done.stderr)
+
+    def test_a_program_has_real_time_to_end_however_fast_the_clock_is(self):
+        done, end, faults = self.fly("lingers", "--clock", "100x")
+        self.assertEqual((done.returncode, end["mission"], faults), (0, "success", []))
 
     def test_a_token_tells_of_the_interrupt(self):
         done, end, faults = self.fly("interrupted")
