@@ -101,10 +101,11 @@ std::optional<Unsupported> Verification::explore(std::vector<std::size_t> which)
 bool Verification::answersAny(const Stage& stage, const std::vector<std::size_t>& which) {
   const bool bySlices =
       !slicesAreDone && stage.slices.classes > 0 && exploreSlices(which, stage.slices);
+  // these two often decide most of what is possible, so they come before slices that grow
+  const bool isNew = exploreNewest(which, stage.newest);
+  const bool isSampled = sampleRuns(which, stage.sampled, false);
   const bool isRefined = refine(which, stage.refined);
   exploreRuns(stage);
-  const bool isSampled = sampleRuns(which, stage.sampled, false);
-  const bool isNew = exploreNewest(which, stage.newest);
   const bool isLed = exploreLed(which, stage.led, stage.ledEach);
   const bool byWalks = exploreByWalks(which, stage.walks);
   if (byWalks) exploreLed(which, stage.led, stage.ledEach); // fewer are left, so each gets more

@@ -33,6 +33,7 @@ verify::Answer answer(const fiacre::Parsed& parsed, const verify::Options& optio
 std::uint64_t answersOfParts(const fiacre::Parsed& parsed, verify::Reduction without) {
   verify::Options options;
   options.classesBeforeSlices = 0;
+  options.classesOfLedSearches = 0; // no other search answers before them
   options.reductions.erase(without);
   const auto result = verify::verify(parsed.program, parsed.provenance, {{0}}, options);
   return result ? result->exploration.sliced : 0;
