@@ -87,7 +87,8 @@ int runImport(const ImportArguments& arguments) {
   if (!leaves) return reportErrors(leaves.error());
   const auto made = imported(arguments, *leaves);
   if (!made) return reportErrors(made.error());
-  const auto text = withDigests(made->text);
+  // what is printed may become a part of another file
+  const auto text = arguments.output.empty() ? made->text : withDigests(made->text);
   const auto loss = arguments.force ? bridge::Errors() : lossOf(arguments.output, text);
   if (!loss.empty()) return reportErrors(loss);
   if (const auto failed = disk::writeOutput(arguments.output, text)) return fail(*failed);

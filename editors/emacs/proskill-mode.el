@@ -231,15 +231,17 @@ The program is written beside FILE.  A file `leaves.json' there gives durations.
   (let* ((file (expand-file-name file))
          (language (cdr (assoc (file-name-extension file) '(("xml" . "bt") ("gen" . "gen") ("rl" . "rl") ("rlc" . "rl")))))
          (target (concat (file-name-sans-extension file) ".proskill"))
-         (leaves (expand-file-name "leaves.json" (file-name-directory file))))
+         (leaves (expand-file-name "leaves.json" (file-name-directory file)))
+         (there (file-exists-p target)))
     (unless language
       (user-error "Not a behavior tree (.xml), a component (.gen), a skillset (.rl) or a composite (.rlc)"))
-    (when (and (file-exists-p target)
+    (when (and there
                (not (yes-or-no-p (format "%s exists; replace it? " (file-name-nondirectory target)))))
       (user-error "Nothing was imported"))
     (with-temp-buffer
       (let ((code (apply #'call-process proskill-program nil t nil "import" language file "-o" target
-                         (and (not (equal language "rl")) (file-exists-p leaves) (list "--leaves" leaves)))))
+                         (append (and there '("--force"))
+                                 (and (not (equal language "rl")) (file-exists-p leaves) (list "--leaves" leaves))))))
         (unless (eql code 0)
           (user-error "%s" (string-trim (buffer-string))))
         (message "%s" (string-trim (buffer-string)))))

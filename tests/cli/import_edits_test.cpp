@@ -33,6 +33,13 @@ std::string contentOf(const std::filesystem::path& path) {
 
 } // namespace
 
+TEST_CASE("what is printed has no digests, since it may become a part of another file") {
+  const auto printed = command({"import", "bt", kPatrol, "--leaves", kLeaves});
+  CHECK(printed.exitCode == 0);
+  CHECK(contains(printed.out, "(defskill"));
+  CHECK_FALSE(contains(printed.out, "digests"));
+}
+
 TEST_CASE("an import does not remove what was added to its output") {
   const TemporaryDirectory directory;
   const auto path = directory.write("patrol.proskill", "");

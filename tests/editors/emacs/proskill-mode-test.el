@@ -167,6 +167,13 @@
     (should (string-match-p "(defskill calibrate" (buffer-string)))
     (cl-letf (((symbol-function 'yes-or-no-p) #'ignore))
       (should-error (proskill-import component) :type 'user-error))
+    (let ((imported (buffer-string)))
+      (goto-char (point-min))
+      (insert "; mine\n")
+      (save-buffer)
+      (cl-letf (((symbol-function 'yes-or-no-p) #'always))
+        (proskill-import component))
+      (should (equal (buffer-string) imported)))
     (should-error (proskill-import (expand-file-name "robot.urdf" folder)) :type 'user-error)))
 
 (ert-deftest a-run-is-served-to-a-browser ()

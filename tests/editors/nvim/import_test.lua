@@ -21,8 +21,11 @@ return {
     expect.contains(child:lua("return table.concat(vim.api.nvim_buf_get_lines(0, 0, -1, false), '\\n')"), ':time_interval [3,8]')
     child:lua(("vim.cmd('ProskillImport %s/gripper.gen')"):format(folder))
     expect.contains(child:lua('return told[2]'), 'ProskillImport! replaces it')
+    child:lua("vim.fn.append(0, '; mine')")
+    child:lua("vim.cmd('write')")
     child:lua(("vim.cmd('ProskillImport! %s/gripper.gen')"):format(folder))
     expect.contains(child:lua('return told[3]'), 'verdicts are exact')
+    expect.contains(child:lua("return vim.fn.getline(1) == '; mine' and 'kept' or 'replaced'"), 'replaced')
   end },
 
   { 'errors come into the quickfix list, and nothing is written', function(child)

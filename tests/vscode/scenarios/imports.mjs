@@ -32,6 +32,11 @@ export const scenarios = {
     await editor.command('ProSkill: Import');
     await page.locator('.monaco-dialog-box', { hasText: 'these changes are lost' }).locator('.monaco-button', { hasText: 'Cancel' }).click();
     equal('the program that was there', readFileSync(join(root, kProgram), 'utf8') === wanted, true);
+
+    writeFileSync(join(root, kProgram), wanted.replace('(defskill', '; mine\n(defskill'));
+    await editor.command('ProSkill: Import');
+    await page.locator('.monaco-dialog-box', { hasText: 'these changes are lost' }).locator('.monaco-button', { hasText: 'Replace' }).click();
+    await expect('the program without the change', async () => readFileSync(join(root, kProgram), 'utf8') === wanted, 10_000);
     await editor.closeAll();
   },
 

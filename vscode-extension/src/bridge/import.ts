@@ -45,7 +45,8 @@ export class Imports implements vscode.Disposable, vscode.CodeActionProvider, vs
     await vscode.workspace.textDocuments.find((it) => it.uri.toString() === file.toString() && it.isDirty)?.save();
     const target = await placeFor(file);
     if (!target) return;
-    const { summary, failed } = await this.translate(file, dirname(target.fsPath), ['-o', target.fsPath]);
+    const agreed = existsSync(target.fsPath) ? ['--force'] : [];
+    const { summary, failed } = await this.translate(file, dirname(target.fsPath), ['-o', target.fsPath, ...agreed]);
     this.report(summary);
     if (failed) throw new Error(this.places(summary));
     await vscode.window.showTextDocument(target);

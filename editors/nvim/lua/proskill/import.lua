@@ -25,6 +25,9 @@ function M.start(file, replace)
     return message.error(('%s exists; :ProskillImport! replaces it'):format(vim.fn.fnamemodify(target, ':.')))
   end
   local command = config.command('import', language, file, '-o', target)
+  if replace then
+    table.insert(command, '--force')
+  end
   local leaves = vim.fn.fnamemodify(file, ':h') .. '/leaves.json'
   if language ~= 'rl' and vim.fn.filereadable(leaves) == 1 then
     vim.list_extend(command, { '--leaves', leaves })
