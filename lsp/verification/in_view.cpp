@@ -12,8 +12,8 @@ namespace {
 /// The complete verification of a larger program may exceed its budget.
 constexpr std::size_t kLarge = 64 * 1024;
 
-/// Limit for definitions that come into view while the whole program is being verified, whose
-/// results wait for theirs.
+/// Limit for definitions that come into view while the whole program is being verified: both use
+/// the same processors.
 constexpr double kMostSecondsAside = 5;
 
 std::size_t bytesOf(const analysis::Program& program) {
@@ -27,58 +27,70 @@ std::size_t bytesOf(const analysis::Program& program) {
 void Verification::checkInView(const Programs& program, const ide::Snapshot& now,
                                const VerificationSettings& chosen,
                                const rpc::Cancellation& cancellation) {
+  if (bytesOf(program->program) < kLarge) return;
   auto budget = chosen.liveBudget;
   budget.seconds /= 2;
-  checkInView(program, now, budget, cancellation);
+  checkInView(program, now, budget, cancellation, {});
 }
 
-void Verification::checkScrolledTo(const Programs& program, const ide::Snapshot& now,
-                                   const VerificationSettings& chosen,
-                                   const rpc::Cancellation& cancellation) {
-  if (!hasScrolled()) return;
+std::expected<Verified, worker::WorkerFailure> Verification::besideView(
+    const Programs& program, const ide::Snapshot& now, const VerificationSettings& chosen,
+    const rpc::Cancellation& cancellation,
+    const std::function<std::expected<Verified, worker::WorkerFailure>()>& all) {
+  if (bytesOf(program->program) < kLarge) return all();
   auto budget = chosen.liveBudget;
   budget.seconds = std::min(budget.seconds / 2, kMostSecondsAside);
-  checkInView(program, now, budget, cancellation);
+  std::jthread aside([&](const std::stop_token& stop) {
+    while (hasScrolled(stop)) checkInView(program, now, budget, cancellation, stop);
+  });
+  auto verified = all();
+  aside.request_stop();
+  const std::lock_guard lock(mutex);
+  runningInView.cancel();
+  return verified;
 }
 
 /// When the user scrolls to other definitions, they are verified instead.
 void Verification::checkInView(const Programs& program, const ide::Snapshot& now,
-                               const worker::Budget& budget,
-                               const rpc::Cancellation& cancellation) {
-  if (bytesOf(program->program) < kLarge) return;
+                               const worker::Budget& budget, const rpc::Cancellation& cancellation,
+                               const std::stop_token& stop) {
   auto job = worker::jobFor(program->program);
   job.budget = budget;
   while (true) {
-    job.names = takeInView(program->program, cancellation);
-    if (job.names.empty()) return;
-    const auto found = run(program, now.open(), job, kLiveLimits, runningInView, {});
+    const auto [names, part] = takeInView(program->program, cancellation, stop);
+    if (names.empty()) return;
+    job.names = names;
+    const auto found = run(program, now.open(), job, kLiveLimits, part, {});
     if (found)
       recordInView(program, *found, now.open());
     else if (found.error().cancelled)
-      forgetInView(job.names);
+      forgetInView(names);
   }
 }
 
-/// The definitions in view that were not verified as such yet; none after a cancellation.
-std::vector<std::string> Verification::takeInView(const analysis::Program& program,
-                                                  const rpc::Cancellation& cancellation) {
+/// The definitions in view that were not verified as such yet, and what cancels their
+/// verification; none after a cancellation.
+std::pair<std::vector<std::string>, rpc::Cancellation>
+Verification::takeInView(const analysis::Program& program, const rpc::Cancellation& cancellation,
+                         const std::stop_token& stop) {
   const std::lock_guard lock(mutex);
   scrolled = false;
-  if (cancellation.isCancelled()) return {};
-  auto names = newInView(program);
+  takenInView.clear();
+  if (cancellation.isCancelled() || stop.stop_requested()) return {};
+  auto names = namesInView(program);
+  std::erase_if(names, [&](const auto& name) { return askedInView.contains(name); });
   askedInView.insert(names.begin(), names.end());
+  takenInView.insert(names.begin(), names.end());
   runningInView = rpc::Cancellation();
-  return names;
+  return {names, runningInView};
 }
 
 /// \pre the mutex is held
-std::vector<std::string> Verification::newInView(const analysis::Program& program) const {
+std::vector<std::string> Verification::namesInView(const analysis::Program& program) const {
   if (viewed.empty()) return {};
   const auto lines = visible.find(viewed.front());
   if (lines == visible.end()) return {};
-  auto names = definedIn(program, viewed.front(), lines->second.first, lines->second.last);
-  std::erase_if(names, [&](const auto& name) { return askedInView.contains(name); });
-  return names;
+  return definedIn(program, viewed.front(), lines->second.first, lines->second.last);
 }
 
 void Verification::forgetInView(const std::vector<std::string>& names) {
@@ -97,16 +109,24 @@ void Verification::recordInView(const Programs& program, Verified found,
   outside.changed();
 }
 
+/// What is being verified goes on as long as any of it is in view.
 /// \pre the mutex is held
 void Verification::noticeScrolling() {
-  if (!runningOn || newInView(runningOn->program).empty()) return;
+  if (!runningOn) return;
+  const auto names = namesInView(runningOn->program);
+  const auto isIn = [](const auto& set) {
+    return [&set](const auto& name) { return set.contains(name); };
+  };
+  if (std::ranges::all_of(names, isIn(askedInView))) return;
+  if (std::ranges::none_of(names, isIn(takenInView))) runningInView.cancel();
   scrolled = true;
-  runningInView.cancel();
+  scrolling.notify_all();
 }
 
-bool Verification::hasScrolled() {
-  const std::lock_guard lock(mutex);
-  return scrolled;
+/// Waits until the user scrolls. \return whether he has, before the stop
+bool Verification::hasScrolled(const std::stop_token& stop) {
+  std::unique_lock lock(mutex);
+  return scrolling.wait(lock, stop, [&] { return scrolled; });
 }
 
 } // namespace proskill::lsp

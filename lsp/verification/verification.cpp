@@ -266,13 +266,13 @@ Verification::Checked Verification::checkProgram(const Programs& program, const 
   beginWork(program, now.open());
   store.set(program, VerificationState::Checking);
   checkInView(program, now, chosen, cancellation);
-  const auto onProgress = [&](const worker::WorkerProgress& progress) {
-    store.setProgress(program, progress);
-    checkScrolledTo(program, now, chosen, cancellation);
-  };
   auto job = worker::jobFor(program->program);
   job.budget = chosen.liveBudget;
-  auto verified = run(program, now.open(), job, kLiveLimits, cancellation, onProgress);
+  auto verified = besideView(program, now, chosen, cancellation, [&] {
+    return run(
+        program, now.open(), job, kLiveLimits, cancellation,
+        [&](const worker::WorkerProgress& progress) { store.setProgress(program, progress); });
+  });
   endWork();
   if (verified) {
     record(program, std::move(*verified));

@@ -78,16 +78,21 @@ private:
   void checkInView(const Programs& program, const ide::Snapshot& snapshot,
                    const VerificationSettings& settings, const rpc::Cancellation& cancellation);
   void checkInView(const Programs& program, const ide::Snapshot& snapshot,
-                   const worker::Budget& budget, const rpc::Cancellation& cancellation);
-  void checkScrolledTo(const Programs& program, const ide::Snapshot& snapshot,
-                       const VerificationSettings& settings, const rpc::Cancellation& cancellation);
-  [[nodiscard]] std::vector<std::string> takeInView(const analysis::Program& program,
-                                                    const rpc::Cancellation& cancellation);
-  [[nodiscard]] std::vector<std::string> newInView(const analysis::Program& program) const;
+                   const worker::Budget& budget, const rpc::Cancellation& cancellation,
+                   const std::stop_token& stop);
+  /// Verifies what is scrolled into view while `all` verifies the whole program.
+  std::expected<Verified, worker::WorkerFailure>
+  besideView(const Programs& program, const ide::Snapshot& snapshot,
+             const VerificationSettings& settings, const rpc::Cancellation& cancellation,
+             const std::function<std::expected<Verified, worker::WorkerFailure>()>& all);
+  [[nodiscard]] std::pair<std::vector<std::string>, rpc::Cancellation>
+  takeInView(const analysis::Program& program, const rpc::Cancellation& cancellation,
+             const std::stop_token& stop);
+  [[nodiscard]] std::vector<std::string> namesInView(const analysis::Program& program) const;
   void forgetInView(const std::vector<std::string>& names);
   void recordInView(const Programs& program, Verified found, const ide::OpenTexts& open);
   void noticeScrolling();
-  [[nodiscard]] bool hasScrolled();
+  [[nodiscard]] bool hasScrolled(const std::stop_token& stop);
   void record(const Programs& program, Verified verified);
   void measure(const Programs& program, const ide::OpenTexts& open,
                const VerificationSettings& settings, const rpc::Cancellation& cancellation);
@@ -129,8 +134,10 @@ private:
   rpc::Cancellation running;          ///< of live verification
   rpc::Cancellation runningInView;    ///< of the part of it that is in view
   std::set<std::string> askedInView;  ///< definitions that were in view during it
+  std::set<std::string> takenInView;  ///< those of them that are being verified
   bool scrolled = false;              ///< to others, which are not being verified yet
-  bool inBackground = false;          ///< it is about a text that is not in view
+  std::condition_variable_any scrolling;
+  bool inBackground = false; ///< it is about a text that is not in view
   Programs runningOn;
   /// Roots of programs whose durations are not known yet. Only live verification uses it.
   std::set<std::filesystem::path> unmeasured;

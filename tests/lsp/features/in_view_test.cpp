@@ -11,15 +11,29 @@ using namespace lamp;
 
 namespace {
 
-/// Counters whose properties are decided after 100^12 states.
-std::string endlessText() {
-  constexpr int kCounters = 12;
+/// Counters up to `most`, each of which depends on the next.
+std::string counters(int count, int most) {
   std::string text = "(defproperty near (always (<= x0 (+ x1 51))))\n";
-  for (int i = 0; i < kCounters; ++i)
-    text += fmt::format("(defsv x{0} :min 0 :max 99 :init 0)\n"
-                        "(defevent up{0} :guard (& (< x{0} 99) (<= x{0} (+ x{1} 50))) :effects "
+  for (int i = 0; i < count; ++i)
+    text += fmt::format("(defsv x{0} :min 0 :max {2} :init 0)\n"
+                        "(defevent up{0} :guard (& (< x{0} {2}) (<= x{0} (+ x{1} 50))) :effects "
                         "(x{0} (+ x{0} 1)))\n",
-                        i, (i + 1) % kCounters);
+                        i, (i + 1) % count, most);
+  return text;
+}
+
+/// Counters whose properties are decided after 100^12 states.
+std::string endlessText() { return counters(12, 99); }
+
+/// A large program that is verified soon.
+std::string manyDoors() {
+  std::string text = counters(2, 9);
+  for (int i = 0; i < 300; ++i)
+    text += fmt::format("(defsv door{0} :states (Open Shut Ajar) :init Open\n"
+                        "  :transitions ((Open Shut) (Shut Ajar) (Ajar Open)))\n"
+                        "(defevent shut{0} :guard (door{0} Open) :effects (door{0} Shut))\n"
+                        "(defevent ajar{0} :guard (door{0} Shut) :effects (door{0} Ajar))\n",
+                        i);
   return text;
 }
 
@@ -71,6 +85,26 @@ TEST_CASE("definitions that are scrolled into view of a large program are verifi
   }
   view(session, linesOf(text) - 3, linesOf(text));
   CHECK(verdictWhileChecking(session, "door.no_forbidden_transition") == "holds");
+}
+
+TEST_CASE("who scrolls all the time does not hold up the verification of the whole program") {
+  const auto text = manyDoors();
+  Session::Options options;
+  options.initializationOptions = kLive;
+  options.initializationOptions["verify"]["seconds"] = 120;
+  Session session(options);
+  session.initialize();
+  session.open(kMain, text);
+  Json news;
+  std::size_t line = 0;
+  do {
+    line = (line + 10) % (linesOf(text) - 20);
+    view(session, line, line + 20);
+    news = session.notified("proskill/verdicts");
+  } while (news["state"] != "done" && news["state"] != "failed");
+  CHECK(news["state"] == "done");
+  CHECK(std::ranges::none_of(
+      news["verdicts"], [](const auto& verdict) { return verdict["verdict"] == "inconclusive"; }));
 }
 
 } // namespace proskill::test::in_view_test
