@@ -21,6 +21,11 @@ local kLamp = [[
 (defproperty dark (never (lamp On)))
 ]]
 
+local function stop_server(child)
+  child:lua("vim.lsp.stop_client(vim.tbl_map(function(it) return it.id end, require('proskill.client').all()))")
+  child:wait("return require('proskill.client').of(0) == nil")
+end
+
 local function trace(child, name)
   child:lua("vim.cmd('ProskillTrace ' .. ...)", name)
   child:wait("return require('proskill.trace').shown ~= nil")
@@ -270,11 +275,48 @@ return {
     expect.equal(child:lua(notes)[1], 7)
   end },
 
+  { 'a text that is replaced as a whole keeps its steps only if it is the same', function(child)
+    child:file('lamp.proskill', kLamp)
+    child:open(child.directory .. '/lamp.proskill')
+    stop_server(child)
+    trace(child, 'dark')
+    local at = [[
+      local trace, found = require('proskill.trace'), {}
+      for number = 0, #trace.shown.trace.steps do
+        trace.go(number)
+        found[number + 1] = (function() %s end)() or false
+      end
+      return found
+    ]]
+    at = at:format(notes)
+    local before = child:lua(at)
+    child:lua('vim.api.nvim_buf_set_lines(0, 0, -1, false, vim.api.nvim_buf_get_lines(0, 0, -1, false))')
+    expect.equal(child:lua(at), before)
+    child:lua("vim.cmd('silent %d')")
+    for _, found in ipairs(child:lua(at)) do
+      expect.equal(found, false)
+    end
+  end },
+
+  { 'steps lead into a file that has become shorter since', function(child)
+    child:file('lamp.proskill', kLamp)
+    child:open(child.directory .. '/lamp.proskill')
+    stop_server(child)
+    trace(child, 'dark')
+    child:file('lamp.proskill', '; a lamp')
+    child:lua([[
+      local buffer = vim.api.nvim_get_current_buf()
+      vim.cmd('enew')
+      vim.cmd('bunload ' .. buffer)
+      for number = 0, #require('proskill.trace').shown.trace.steps do require('proskill.trace').go(number) end
+    ]])
+    expect.equal(child:lua("return { vim.fn.expand('%:t'), vim.fn.line('.') }"), { 'lamp.proskill', 1 })
+  end },
+
   { 'without a server, too, a trace says that the text has been edited since', function(child)
     child:file('lamp.proskill', kLamp)
     child:open(child.directory .. '/lamp.proskill')
-    child:lua("vim.lsp.stop_client(vim.tbl_map(function(it) return it.id end, require('proskill.client').all()))")
-    child:wait("return require('proskill.client').of(0) == nil")
+    stop_server(child)
     trace(child, 'dark')
     local title = "return vim.fn.getqflist({ title = 0 }).title == %q"
     child:wait(title:format('trace of dark'))
@@ -291,8 +333,7 @@ return {
     child:lua('told = {}; vim.notify = function(text) table.insert(told, text) end')
     child:file('lamp.proskill', kLamp)
     child:open(child.directory .. '/lamp.proskill')
-    child:lua("vim.lsp.stop_client(vim.tbl_map(function(it) return it.id end, require('proskill.client').all()))")
-    child:wait("return require('proskill.client').of(0) == nil")
+    stop_server(child)
     child:lua("vim.cmd('ProskillTrace dark'); vim.api.nvim_buf_set_lines(0, 0, 0, true, { '; a lamp' })")
     child:wait("return vim.fn.getqflist({ title = 0 }).title == 'trace of dark (of an older text)'")
     expect.contains(table.concat(child:lua('return told'), '\n'), 'the program has changed since: places may have moved')

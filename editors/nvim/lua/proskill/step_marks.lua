@@ -21,12 +21,16 @@ local function buffer_of(place)
   return buffer
 end
 
+local function text_at(buffer, line, first, last_line, last)
+  return table.concat(vim.api.nvim_buf_get_text(buffer, line, first, last_line, last, {}), '\n')
+end
+
 local function place_mark(place)
   local buffer = buffer_of(place)
   local line, first, last_line, last = within(buffer, place)
   return {
     id = vim.api.nvim_buf_set_extmark(buffer, space, line, first, { end_row = last_line, end_col = last }),
-    buffer = buffer, is_empty = line == last_line and first == last,
+    buffer = buffer, text = text_at(buffer, line, first, last_line, last),
   }
 end
 
@@ -48,21 +52,30 @@ function M.clear()
   end
 end
 
--- Where a marked place is now, with its buffer; nil if its text was removed. A buffer that was unloaded has lost its marks, so
--- that the place is where it was.
+-- Whether the text of a mark was removed. Where the lines around it were replaced, its ends are in reverse order.
+local function is_removed(mark, now)
+  if now.line == now.last_line then
+    return now.first > now.last or now.first == now.last and mark.text ~= ''
+  end
+  return now.line > now.last_line
+end
+
+local function place_of(mark, buffer)
+  local line, first, details = unpack(vim.api.nvim_buf_get_extmark_by_id(buffer, space, mark.id, { details = true }))
+  return line and { line = line, first = first, last_line = details.end_row, last = details.end_col }
+end
+
+-- Where a marked place is now, with its buffer; nil if its text was removed. It is where it was if the buffer has lost its marks
+-- as it was unloaded, or if a formatter has replaced the text by the same. A text that was loaded again may be shorter.
 function M.now(mark, place)
   local buffer = buffer_of(place)
-  local found = mark.buffer == buffer and vim.api.nvim_buf_get_extmark_by_id(buffer, space, mark.id, { details = true }) or {}
-  local line, first, details = unpack(found)
-  if not line then
-    local last_line, last
-    line, first, last_line, last = within(buffer, place)
-    return { buffer = buffer, line = line, first = first, last_line = last_line, last = last }
-  end
-  if line == details.end_row and first == details.end_col and not mark.is_empty then
+  local now = mark.buffer == buffer and place_of(mark, buffer)
+  local removed = now and is_removed(mark, now)
+  local line, first, last_line, last = within(buffer, now and not removed and now or place)
+  if removed and text_at(buffer, line, first, last_line, last) ~= mark.text then
     return nil
   end
-  return { buffer = buffer, line = line, first = first, last_line = details.end_row, last = details.end_col }
+  return { buffer = buffer, line = line, first = first, last_line = last_line, last = last }
 end
 
 return M
