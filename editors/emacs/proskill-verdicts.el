@@ -40,20 +40,23 @@
 ;;; Texts that are edited after, or during their verification
 
 (defvar-local proskill--texts nil
-  "A list of (BUFFER TICK HASH): the texts of the programs when they were verified.")
+  "A list of (BUFFER TICK HASH): the texts of the programs when they were verified.
+HASH is nil for a text that was not saved: the one on the disk was verified.")
 
 (defun proskill--note-texts (_process)
   (setq proskill--texts
-        (mapcar (lambda (buffer) (list buffer (buffer-chars-modified-tick buffer) (buffer-hash buffer)))
+        (mapcar (lambda (buffer)
+                  (list buffer (buffer-chars-modified-tick buffer)
+                        (unless (buffer-modified-p buffer) (buffer-hash buffer))))
                 (seq-filter (lambda (buffer) (with-current-buffer buffer (derived-mode-p 'proskill-mode)))
                             (buffer-list)))))
 
 (defun proskill--is-older ()
-  "Whether a text has been edited since it was verified."
+  "Whether a text is not the one that was verified."
   (seq-some (lambda (text)
               (pcase-let ((`(,buffer ,tick ,hash) text))
                 (and (buffer-live-p buffer)
-                     (/= tick (buffer-chars-modified-tick buffer))
+                     (not (and hash (= tick (buffer-chars-modified-tick buffer))))
                      (not (equal hash (buffer-hash buffer))))))
             proskill--texts))
 

@@ -265,6 +265,16 @@
    (wait-for (lambda () (not (get-buffer-process trace))))
    (should (says-that-it-is-older trace))))
 
+;; The text on the disk is verified.
+(ert-deftest a-text-that-was-not-saved-is-not-that-of-the-trace ()
+  (with-verified-drone
+   (wait-for (lambda () (not (get-buffer-process trace))))
+   (insert "; one\n")
+   (cl-letf (((symbol-function 'save-some-buffers) #'ignore))
+     (proskill-verify "uav_mission.no_overshoot"))
+   (wait-for (lambda () (not (get-buffer-process trace))))
+   (should (says-that-it-is-older trace))))
+
 (defun where-everything-is (trace)
   (list (selected-window) (current-buffer) (point) (window-start) (length (window-list))
         (with-current-buffer trace (list (point) (window-point (get-buffer-window trace)) (buffer-size)))))
