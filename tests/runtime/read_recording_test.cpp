@@ -244,6 +244,19 @@ TEST_CASE("a part of a long trace begins at a date of its run, with the values o
   }
 }
 
+TEST_CASE("a damaged line within a long trace is an error") {
+  const auto head = std::string(kHead) + R"(,"steps":[)" + "\n" + recordedChange(0) + ",\n";
+  const auto partOf = [&](const std::string& rest) {
+    const auto part = report::traceOfPart(test::fileOf(head + rest), {.from = 0});
+    return part ? fmt::format("to {} s", part->end) : part.error();
+  };
+  const auto step = recordedChange(1);
+  CHECK(partOf("garbage\n" + step + "\n]}\n") == "line 3 is not a step");
+  CHECK(partOf(step + ",\n" + step.substr(0, 20) + "\n]}\n") == "line 4 is not a step");
+  CHECK(partOf(step + ",\ngarbage") == "to 1 s");
+  CHECK(partOf(step + "\n]\n}\n") == "to 1 s");
+}
+
 TEST_CASE("a trace that is too large to be shown as a whole is read in small parts") {
   auto vast = longTrace();
   CHECK_FALSE(report::isShownInParts(vast.file(), {}));

@@ -41,7 +41,7 @@ using FoundParts = std::expected<std::unique_ptr<const RunParts>, std::string>;
 /// Those of an MCAP file: its chunks. The error is a message.
 [[nodiscard]] FoundParts partsOfMcap(const mcap::File& file);
 /// Those of a trace in JSON with a step in each line. It is read once, from its beginning to its
-/// end or to the first line that is not a step. The error is a message.
+/// end, or to a last line that was cut off. The error is a message.
 [[nodiscard]] FoundParts partsOfTrace(const mcap::File& file);
 
 } // namespace proskill::report

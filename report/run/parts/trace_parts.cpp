@@ -2,6 +2,8 @@
 #include "report/run/parts/run_parts.h"
 #include "report/run/read_recording.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -48,8 +50,7 @@ public:
     trace = parsedJson(*head);
     trace.erase("steps");
     values.onHead(recordedHead(runtime::parsedText(*head)));
-    for (auto place = lines.position(); const auto line = lines.next(); place = lines.position())
-      if (!take(place, *line, lines.position())) return;
+    takeSteps(lines, file.size);
   }
 
   [[nodiscard]] std::expected<std::vector<std::string_view>, std::string>
@@ -70,13 +71,29 @@ public:
   }
 
 private:
+  /// The last line may have been cut off.
+  void takeSteps(Lines& lines, std::uint64_t size) {
+    auto place = lines.position();
+    for (std::size_t number = 2; const auto line = lines.next(); ++number) {
+      if (isEnd(stepIn(*line))) return;
+      if (!take(place, *line, lines.position())) {
+        if (lines.position() >= size) return;
+        throw WrongRecording{fmt::format("line {} is not a step", number)};
+      }
+      place = lines.position();
+    }
+  }
+
+  /// Other tools write the end in two lines.
+  static bool isEnd(std::string_view line) { return line == "]}" || line == "]"; }
+
   /// \return whether the line is a step
   bool take(std::uint64_t place, std::string_view line, std::uint64_t end) {
     const auto step = stepIn(line);
     const bool isNew = all.empty() || all.back().size >= kStretch;
     std::map<std::string, std::string> before;
     if (isNew) before = values.now;
-    if (!step.empty() && (step == "]}" || !reader.pass(step, values))) return false;
+    if (!step.empty() && !reader.pass(step, values)) return false;
     const auto date = static_cast<std::uint64_t>(std::max<runtime::Nanoseconds>(values.date, 0));
     if (isNew) {
       // the run begins at 0, whenever its first step is
