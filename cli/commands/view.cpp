@@ -134,7 +134,7 @@ void addView(CLI::App& app, int& exitCode) {
   addLengthOfTime(*command, "--from", arguments->from,
                   "Show the part of a long recording that begins at this time of its run, in "
                   "seconds or with m, h, d; default: the last part",
-                  group::kOutput);
+                  group::kOutput, 0);
   show(command->add_flag("--no-open", arguments->noOpen,
                          "Print the address without opening a browser"),
        group::kOutput);

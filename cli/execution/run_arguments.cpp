@@ -64,7 +64,7 @@ std::optional<double> clockFactor(const std::string& clock) {
   if (clock == "real") return 1;
   std::string_view word = clock;
   const auto number = takeNumber(word);
-  return number && word == "x" && *number <= 1e6 ? number : std::nullopt;
+  return number && word == "x" && *number > 0 && *number <= 1e6 ? number : std::nullopt;
 }
 
 std::optional<analysis::Location> takeNamedPlatform(RunArguments& arguments,

@@ -10,11 +10,12 @@
 
 namespace proskill::cli {
 
-/// An option with a length of time: `90`, `90s`, `5m`, `2h`, `1d`.
+/// An option with a length of time: `90`, `90s`, `5m`, `2h`, `1d`. Shorter ones than the least are
+/// refused.
 CLI::Option* addLengthOfTime(CLI::App& command, const std::string& name,
                              std::optional<runtime::Nanoseconds>& chosen, const std::string& help,
-                             const char* inGroup);
-/// Removes a positive number of at most 1e9 from the beginning of a word.
+                             const char* inGroup, runtime::Nanoseconds least = 1);
+/// Removes a number from 0 to 1e9 from the beginning of a word.
 [[nodiscard]] std::optional<double> takeNumber(std::string_view& word);
 
 } // namespace proskill::cli

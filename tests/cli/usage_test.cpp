@@ -39,6 +39,16 @@ TEST_CASE("a missing or unknown command is said") {
   CHECK(wrong({"verfy", kDock}) == "error: there is no command `verfy`; did you mean `verify`?");
 }
 
+TEST_CASE("a part of a run may begin at 0, but no run ends there") {
+  const auto missing = run({PROSKILL_PROGRAM, "view", "--no-open", "--from", "0", "missing.json"});
+  CHECK(missing.err.find("missing.json") != std::string::npos);
+  CHECK(missing.err.find("is not a time") == std::string::npos);
+  CHECK(wrong({"view", "--from", "-1", "missing.json"}).find("`-1` is not a time") !=
+        std::string::npos);
+  CHECK(wrong({"run", "--until", "0", kDock}).find("`0` is not a time") != std::string::npos);
+  CHECK(wrong({"run", "--clock", "0x", kDock}).find("`0x` is none of") != std::string::npos);
+}
+
 TEST_CASE("missing and superfluous arguments are named") {
   CHECK(wrong({"run"}) == "error: `file` is missing: Root file of the program");
   CHECK(wrong({"import"}) == "error: `language` is missing: bt|gen|rl");
