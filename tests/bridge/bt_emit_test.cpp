@@ -288,6 +288,45 @@ TEST_CASE("a composite skill with the name of a built-in node is renamed, a leaf
         "p:1:11: a tree cannot say this: a skill with the name of a built-in node\n");
 }
 
+TEST_CASE("each condition of a tree has an id of its own") {
+  const auto answer = [](const std::string& name) {
+    return fmt::format("(defsv {0} :states (Yes No) :init Yes)\n(defevent {0}_on :effects ({0} "
+                       "Yes))\n(defevent {0}_off :effects ({0} No))\n",
+                       name);
+  };
+  const std::string door = "(defsv door :states (Open Shut) :init Open)\n"
+                           "(defevent opens :effects (door Open))\n"
+                           "(defevent shuts :effects (door Shut))\n"
+                           "(defskill a :action (a) :success ok)\n";
+  const auto written = [&](const std::string& definitions, const std::string& body) {
+    const auto tree =
+        emitted(definitions + door + "(defskill Main :success ok :body (" + body + "))");
+    INFO(errorsText(tree));
+    REQUIRE(tree);
+    const MemoryFiles files({{"t.xml", tree->tree.text}});
+    const auto imported =
+        bridge::bt::importTree(files, "t.xml", *bridge::Leaves::read(tree->leaves), {});
+    CHECK(errorsText(imported) == "none");
+    return tree->tree.text.substr(tree->tree.text.find("<TreeNodesModel>"));
+  };
+  const auto model = [](const std::string& action, const std::string& first,
+                        const std::string& second) {
+    return fmt::format("<TreeNodesModel>\n    <Action ID=\"{}\"/>\n    <Condition ID=\"{}\"/>\n"
+                       "{}  </TreeNodesModel>\n</root>\n",
+                       action, first,
+                       second.empty() ? "" : "    <Condition ID=\"" + second + "\"/>\n");
+  };
+  CHECK(written(answer("IsStuck") + answer("IsStuck_leaf"),
+                "(if (and (IsStuck Yes) (IsStuck_leaf No)) (a))") ==
+        model("a", "IsStuck_leaf", "IsStuck_leaf_"));
+  CHECK(written(answer("door_is_Open"), "(if (and (door Open) (door_is_Open No)) (a))") ==
+        model("a", "door_is_Open", "door_is_Open_"));
+  CHECK(written("(defskill door_is_Open :action (b) :success ok)\n",
+                "(if (door Shut) (door_is_Open))") == model("door_is_Open", "door_is_Open_", ""));
+  CHECK(written("(defskill door_is_Open :success ok :body ((a)))\n",
+                "(if (door Open) (door_is_Open))") == model("a", "door_is_Open_", ""));
+}
+
 TEST_CASE("what a tree lacks is noted with its place") {
   const auto tree =
       emitted(withMain("(printf \"hi\") (a)") + "(defproperty ends (reachable (ended Main)))\n");

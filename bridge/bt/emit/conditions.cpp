@@ -1,5 +1,6 @@
 #include "bridge/bt/emit/conditions.h"
 
+#include "bridge/bt/emit/calls.h"
 #include "bridge/bt/emit/elements.h"
 #include "bridge/bt/tree/traits.h"
 
@@ -10,6 +11,10 @@
 namespace proskill::bridge::bt {
 
 using Is = syntax::ExprKind;
+
+Conditions::Conditions(Draft& draft) : variables(draft.program), draft(draft) {
+  for (const auto& skill : draft.program.skills.all) skills.insert(Calls::nameOf(skill));
+}
 
 Element Conditions::of(const syntax::Expr& test, analysis::FileId at) {
   begin();
@@ -147,12 +152,25 @@ Element Conditions::world(const syntax::StateVariable& variable, std::string_vie
   const bool isAnswer = isTwo && ((states[0].text == "Yes" && states[1].text == "No") ||
                                   (states[0].text == "No" && states[1].text == "Yes"));
   const auto positive = isAnswer ? std::string_view("Yes") : isTwo ? states[0].text : state;
-  auto id = std::string(variable.name.text);
-  if (!isAnswer) id += fmt::format("_is_{}", positive);
-  if (builtIn(id) != nullptr) id += "_leaf"; // as what `ScriptCondition` is imported as
-  conditions.emplace(id, changes);
+  const auto [found, isNew] = ids.try_emplace({variable.name.text, positive});
+  auto& id = found->second;
+  if (isNew) {
+    const auto name = std::string(variable.name.text);
+    id = freeId(isAnswer ? name : fmt::format("{}_is_{}", name, positive), name);
+    conditions.emplace(id, changes);
+  }
   auto leaf = element("Condition", {{"ID", id}});
   return state == positive ? leaf : withResults(std::move(leaf), false, true);
+}
+
+std::string Conditions::freeId(std::string id, std::string_view variable) const {
+  const auto isTaken = [&] {
+    const bool isVariable = id != variable && draft.program.stateVariables.find(id) != nullptr;
+    return isVariable || conditions.contains(id) || skills.contains(id);
+  };
+  if (builtIn(id) != nullptr) id += "_leaf"; // as what `ScriptCondition` is imported as
+  while (isTaken()) id += '_';
+  return id;
 }
 
 std::string Conditions::entry(const syntax::Name& variable) {

@@ -5,13 +5,15 @@
 
 #include <map>
 #include <set>
+#include <string>
+#include <utility>
 
 namespace proskill::bridge::bt {
 
 /// Writes conditions as nodes that succeed where they hold.
 class Conditions {
 public:
-  explicit Conditions(Draft& draft) : variables(draft.program), draft(draft) {}
+  explicit Conditions(Draft& draft);
 
   /// A node for a test that is made in one instant.
   Element of(const syntax::Expr& test, analysis::FileId file);
@@ -42,6 +44,8 @@ private:
   Element test(const syntax::Name& variable, const syntax::Expr& value);
   Element reported(const syntax::StateVariable& variable, const syntax::Expr& state);
   Element world(const syntax::StateVariable& variable, std::string_view state, bool changes);
+  /// An id that no other condition, variable, skill or built-in node has.
+  [[nodiscard]] std::string freeId(std::string id, std::string_view variable) const;
   Element compared(const syntax::Expr& test, const char* sign);
   /// The value that a variable has after `(set (VARIABLE VALUE))`.
   std::string assigned(const syntax::StateVariable& variable, const syntax::Expr& expr);
@@ -51,6 +55,8 @@ private:
   Element fail(const syntax::Expr& expr, std::string_view what);
 
   Draft& draft;
+  std::set<std::string> skills; ///< their names in the tree
+  std::map<std::pair<std::string_view, std::string_view>, std::string> ids; ///< by variable, state
   std::set<std::string_view> seen;
   std::map<std::string_view, std::size_t> tests; ///< by variable that events change
   std::map<std::string_view, analysis::Location> guarded;
