@@ -97,6 +97,8 @@ int writeRegularFile(const fs::path& target, const WriteTo& write) {
   return forbidsReplacing(error) ? overwriteFile(target, write) : error;
 }
 
+bool isStandardOutput(const fs::path& output) { return output.empty() || output == "-"; }
+
 } // namespace
 
 std::optional<std::string> writeFile(const fs::path& path, const WriteTo& write) {
@@ -120,13 +122,19 @@ std::optional<std::string> writeFile(const fs::path& path, std::string_view byte
 }
 
 std::optional<std::string> writeOutput(const fs::path& path, std::string_view bytes) {
-  if (!path.empty() && path != "-") return writeFile(path, bytes);
+  if (!isStandardOutput(path)) return writeFile(path, bytes);
   std::cout << bytes << std::flush;
   return std::cout ? std::nullopt : std::optional(failure("standard output", errno));
 }
 
+bool isStream(const fs::path& output) {
+  if (isStandardOutput(output) || ownDescriptor(output)) return true;
+  std::error_code missing;
+  return fs::is_other(output, missing);
+}
+
 bool replaces(const fs::path& output, const fs::path& file) {
-  if (output.empty() || output == "-") return false;
+  if (isStandardOutput(output)) return false;
   std::error_code missing;
   return fs::equivalent(output, file, missing);
 }

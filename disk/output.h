@@ -26,6 +26,10 @@ using WriteTo = std::function<void(std::ostream&)>;
 [[nodiscard]] std::optional<std::string> writeOutput(const std::filesystem::path& path,
                                                      std::string_view bytes);
 
+/// Whether `writeOutput` does not replace a file here: it is standard output, `/dev/stdout`, a pipe
+/// or the like.
+[[nodiscard]] bool isStream(const std::filesystem::path& output);
+
 /// Whether an output would replace this file, under whatever name. Standard output replaces
 /// nothing.
 [[nodiscard]] bool replaces(const std::filesystem::path& output, const std::filesystem::path& file);

@@ -12,6 +12,8 @@ namespace proskill::cli {
 namespace {
 
 constexpr std::string_view kDigests = "; digests of the import: ";
+constexpr std::string_view kWhiteSpace = " \t\n\v\f\r";
+
 /// A definition with the comments before it.
 struct Part {
   std::string digest;
@@ -19,12 +21,15 @@ struct Part {
   syntax::Position position;
 };
 
-std::string digestOf(std::string_view text) {
+/// The text with one space for each white space.
+std::string wordsOf(std::string_view text) {
   std::string words;
   std::istringstream stream{std::string(text)};
   for (std::string word; stream >> word;) words += word + ' ';
-  return syntax::digestOf(words).substr(0, 8);
+  return words;
 }
+
+std::string digestOf(std::string_view text) { return syntax::digestOf(wordsOf(text)).substr(0, 8); }
 
 std::vector<Part> partsOf(const std::string& program) {
   std::vector<Part> parts;
@@ -41,27 +46,67 @@ std::vector<Part> partsOf(const std::string& program) {
   return parts;
 }
 
-std::vector<std::string> digestsIn(const std::string& program) {
-  std::vector<std::string> digests;
+std::set<std::string> digestsIn(const std::string& program) {
+  std::set<std::string> digests;
   std::istringstream lines(program);
   for (std::string line; std::getline(lines, line);) {
     if (!line.starts_with(kDigests)) continue;
     std::istringstream words(line.substr(kDigests.size()));
-    for (std::string word; words >> word;) digests.push_back(word);
+    for (std::string word; words >> word;) digests.insert(word);
   }
   return digests;
 }
 
-/// The comments after the last definition, without the digests.
-std::vector<syntax::Position> commentsAtEnd(const std::string& program) {
-  std::vector<syntax::Position> comments;
+struct Addition {
+  syntax::Position position;
+  std::string_view what;
+};
+
+/// What follows the last definition, without the digests.
+std::vector<Addition> additionsAtEnd(const std::string& program) {
+  std::vector<Addition> additions;
   const auto document = syntax::Document::parse(program);
   const auto end = document.forms().empty() ? 0 : document.forms().back().range.end;
-  for (const auto& comment : document.comments())
-    if (comment.begin >= end &&
-        !std::string_view(program).substr(comment.begin).starts_with(kDigests))
-      comments.push_back(document.lines().position(comment.begin));
-  return comments;
+  auto rest = program;
+  for (const auto& comment : document.comments()) {
+    if (comment.begin < end) continue;
+    rest.replace(comment.begin, comment.length(), comment.length(), ' ');
+    if (!std::string_view(program).substr(comment.begin).starts_with(kDigests))
+      additions.push_back({document.lines().position(comment.begin), "a comment"});
+  }
+  if (const auto text = rest.find_first_not_of(kWhiteSpace, end); text != std::string::npos)
+    additions.push_back({document.lines().position(static_cast<syntax::Offset>(text)), "text"});
+  return additions;
+}
+
+/// What was added, edited or removed since an import that wrote these digests.
+bridge::Errors editsSince(const std::set<std::string>& before, const std::string& existing,
+                          const std::string& imported, const std::filesystem::path& path) {
+  auto known = before;
+  std::set<std::string> names;
+  for (const auto& part : partsOf(imported)) {
+    known.insert(part.digest);
+    names.insert(part.name);
+  }
+  bridge::Errors edits;
+  const auto lost = [&](const syntax::Position& at, const std::string& what) {
+    edits.push_back(
+        {{path, at.line + 1, at.column + 1}, what + ", which another import would undo"});
+  };
+  std::set<std::string> kept; // once each, even if there are copies
+  for (const auto& part : partsOf(existing)) {
+    const bool isKnown = known.contains(part.digest);
+    const bool isEdited = !isKnown && names.contains(part.name);
+    if (isKnown || isEdited) kept.insert(isKnown ? part.digest : part.name);
+    if (!isKnown)
+      lost(part.position,
+           fmt::format("`{}` was {} here", part.name, isEdited ? "edited" : "added"));
+  }
+  for (const auto& [at, what] : additionsAtEnd(existing))
+    lost(at, fmt::format("{} was added here", what));
+  if (kept.size() < before.size())
+    lost({}, fmt::format("{} of its definitions were removed", before.size() - kept.size()));
+  return edits;
 }
 
 } // namespace
@@ -80,29 +125,18 @@ std::string withDigests(const std::string& imported) {
 
 bridge::Errors editsIn(const std::string& existing, const std::string& imported,
                        const std::filesystem::path& path) {
+  const auto words = wordsOf(existing);
+  if (words.empty() || words == wordsOf(imported)) return {};
   const auto before = digestsIn(existing);
-  std::set<std::string> known(before.begin(), before.end());
-  std::set<std::string> names;
-  for (const auto& part : partsOf(imported)) {
-    known.insert(part.digest);
-    names.insert(part.name);
-  }
-  bridge::Errors edits;
-  const auto lost = [&](const syntax::Position& at, std::string what) {
-    edits.push_back({{path, at.line + 1, at.column + 1}, std::move(what)});
-  };
-  std::size_t kept = 0;
-  for (const auto& part : partsOf(existing)) {
-    const bool isKnown = known.contains(part.digest);
-    const bool isEdited = !isKnown && names.contains(part.name);
-    if (isKnown || isEdited) ++kept;
-    if (!isKnown)
-      lost(part.position,
-           fmt::format("`{}` was {} here", part.name, isEdited ? "edited" : "added"));
-  }
-  for (const auto& at : commentsAtEnd(existing)) lost(at, "a comment was added here");
-  if (kept < before.size())
-    lost({}, fmt::format("{} of its definitions were removed", before.size() - kept));
+  if (before.empty())
+    return {{{path},
+             "the file has no digests of an import, so it is unknown whether it was edited. "
+             "Replace it by `--force`"}};
+  auto edits = editsSince(before, existing, imported, path);
+  if (!edits.empty())
+    edits.back().message += fmt::format(
+        ". Move additions to a program that includes `{}`, or undo all of it by `--force`",
+        path.filename().string());
   return edits;
 }
 

@@ -12,9 +12,10 @@ namespace proskill::cli {
 /// before it, by which another import notices what was edited.
 [[nodiscard]] std::string withDigests(const std::string& imported);
 
-/// What somebody has added to an imported program, edited in it or removed from it, which another
-/// import would undo. What the new text has is kept. White space does not count.
-/// \param path of the existing program
+/// Errors for what somebody has added to an imported program, edited in it or removed from it,
+/// which another import would undo. What the new text has is kept. White space does not count. A
+/// file without digests is replaced only if it is empty or equal to the new text. \param imported
+/// the new text, without digests \param path of the existing program
 [[nodiscard]] bridge::Errors editsIn(const std::string& existing, const std::string& imported,
                                      const std::filesystem::path& path);
 

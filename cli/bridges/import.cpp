@@ -18,6 +18,7 @@
 
 #include <iostream>
 #include <memory>
+#include <system_error>
 #include <utility>
 
 namespace proskill::cli {
@@ -45,7 +46,8 @@ std::expected<bridge::Leaves, bridge::Errors> readLeaves(const std::string& path
 /// The folder of the program, seen from where the imported file is seen.
 std::filesystem::path folderOf(const ImportArguments& arguments) {
   const auto here = std::filesystem::current_path();
-  const auto folder = (here / arguments.output).parent_path();
+  const auto folder =
+      disk::isStream(arguments.output) ? here : (here / arguments.output).parent_path();
   const bool isAbsolute = std::filesystem::path(arguments.file).is_absolute();
   return isAbsolute ? folder : folder.lexically_proximate(here);
 }
@@ -64,16 +66,16 @@ std::expected<bridge::Imported, bridge::Errors> imported(const ImportArguments& 
   std::unreachable();
 }
 
-/// What would be lost if the output were replaced, and how to keep it.
-bridge::Errors lossOf(const std::string& output, const std::string& imported) {
+/// Errors for what would be lost if the output were replaced.
+bridge::Errors lossOf(const std::filesystem::path& output, const std::string& imported) {
+  std::error_code missing;
+  if (!std::filesystem::is_regular_file(output, missing)) return {};
   const auto existing = disk::DiskFileSystem().read(output);
-  auto edits = existing ? editsIn(*existing, imported, output) : bridge::Errors();
-  for (auto& edit : edits) edit.message += ", which another import would undo";
-  if (!edits.empty())
-    edits.back().message += fmt::format(
-        ". Move additions to a program that includes `{}`, or undo all of it by `--force`",
-        std::filesystem::path(output).filename().string());
-  return edits;
+  if (existing) return editsIn(*existing, imported, output);
+  return {{{output},
+           fmt::format("it is unknown whether this file was edited, since it cannot be "
+                       "read: {}. Replace it by `--force`",
+                       existing.error())}};
 }
 
 int runImport(const ImportArguments& arguments) {
@@ -87,10 +89,12 @@ int runImport(const ImportArguments& arguments) {
   if (!leaves) return reportErrors(leaves.error());
   const auto made = imported(arguments, *leaves);
   if (!made) return reportErrors(made.error());
-  // what is printed may become a part of another file
-  const auto text = arguments.output.empty() ? made->text : withDigests(made->text);
-  const auto loss = arguments.force ? bridge::Errors() : lossOf(arguments.output, text);
+  // may become a part of another file
+  const bool isPrinted = disk::isStream(arguments.output);
+  const bool isAllowed = arguments.force || isPrinted;
+  const auto loss = isAllowed ? bridge::Errors() : lossOf(arguments.output, made->text);
   if (!loss.empty()) return reportErrors(loss);
+  const auto text = isPrinted ? made->text : withDigests(made->text);
   if (const auto failed = disk::writeOutput(arguments.output, text)) return fail(*failed);
   for (const auto& line : made->summary) std::cerr << syntax::printable(line) << '\n';
   return kDone;
