@@ -187,9 +187,9 @@ private:
     return exitCode;
   }
 
-  /// Five seconds of real time, which a process needs to end however fast the clock is.
+  /// Five seconds of real time, which a process needs to end however fast or slow the clock is.
   static runtime::Nanoseconds endGrace(double factor) {
-    return static_cast<runtime::Nanoseconds>(5 * runtime::kSecond * std::max(factor, 1.0));
+    return static_cast<runtime::Nanoseconds>(5 * runtime::kSecond * factor);
   }
 
   static void warnOfRealtime(bool isReal) {

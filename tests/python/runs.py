@@ -8,6 +8,7 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -39,10 +40,11 @@ def fly(how: str, stop: Stop):
     return "there"
 
 robot.run()
-if LINGERS:
-    import time
-    time.sleep(0.5)
+import time
+time.sleep(LINGERS)
 """
+# In seconds, after the end of the run.
+LINGERS = {"lingers": 0.5, "stays": 40}
 
 
 def run(program, platform, *options):
@@ -59,7 +61,7 @@ class Runs(unittest.TestCase):
 
     def fly(self, how, *options):
         (self.path / "mission.proskill").write_text(MISSION.replace("HOW", how), encoding="utf-8")
-        (self.path / "robot.py").write_text(f"PACKAGE = {str(ROOT / 'python')!r}\nLINGERS = {how == 'lingers'}\n{ROBOT}", encoding="utf-8")
+        (self.path / "robot.py").write_text(f"PACKAGE = {str(ROOT / 'python')!r}\nLINGERS = {LINGERS.get(how, 0)}\n{ROBOT}", encoding="utf-8")
         platform = self.path / "platform.json"
         platform.write_text(json.dumps({"kind": "process", "command": [sys.executable, "robot.py"]}),
                             encoding="utf-8")
@@ -76,6 +78,12 @@ class Runs(unittest.TestCase):
     def test_a_program_has_real_time_to_end_however_fast_the_clock_is(self):
         done, end, faults = self.fly("lingers", "--clock", "100x")
         self.assertEqual((done.returncode, end["mission"], faults), (0, "success", []))
+
+    def test_a_program_that_stays_is_killed_after_real_time_however_slow_the_clock_is(self):
+        begin = time.monotonic()
+        done, end, faults = self.fly("stays", "--clock", "0.1x")
+        self.assertLess(time.monotonic() - begin, 30)
+        self.assertEqual((end["mission"], len(faults)), ("success", 1))
 
     def test_a_token_tells_of_the_interrupt(self):
         done, end, faults = self.fly("interrupted")
