@@ -86,10 +86,10 @@ describe('the lift, in which two skills want the doors', () => {
     assert.equal(await field.inputValue(), '');
     const row = it.locator('.values tr').first();
     assert.match(await row.textContent(), new RegExp(`^${text.replace(/[()]/g, '\\$&')}.*(true|false)$`));
-    assert.ok((await it.locator(`.lane[data-lane="${text}"] .lane-bar`).count()) > 1);
+    await it.locator(`.lane[data-lane="${text}"] .lane-bar`).nth(1).waitFor({ state: 'attached' });
     await shot(it, 'lift_watched');
     await it.getByRole('button', { name: `Watch ${text} no longer` }).click();
-    assert.equal(await it.locator(`.lane[data-lane="${text}"]`).count(), 0);
+    await it.locator(`.lane[data-lane="${text}"]`).waitFor({ state: 'detached' });
   });
 
   test('there is a lane for each who acts and each variable that changes, and a click on one goes to its step', async () => {
