@@ -1,5 +1,7 @@
 -- Marks in the texts at the places of a trace's steps: a step leads to where its text is now, however the text has been edited
 -- since.
+local loaded = require('proskill.loaded')
+
 local M = {}
 
 local space = vim.api.nvim_create_namespace('proskill.steps')
@@ -15,39 +17,53 @@ local function within(buffer, place)
   return first_line, column(first_line, place.first), last_line, column(last_line, place.last)
 end
 
-local function buffer_of(place)
-  local buffer = vim.fn.bufadd(place.path)
-  vim.fn.bufload(buffer)
-  return buffer
-end
-
 local function text_at(buffer, line, first, last_line, last)
   return table.concat(vim.api.nvim_buf_get_text(buffer, line, first, last_line, last, {}), '\n')
 end
 
-local function place_mark(place)
-  local buffer = buffer_of(place)
+local function mark_of(buffer, place)
   local line, first, last_line, last = within(buffer, place)
   return {
     id = vim.api.nvim_buf_set_extmark(buffer, space, line, first, { end_row = last_line, end_col = last }),
-    buffer = buffer, text = text_at(buffer, line, first, last_line, last),
+    text = text_at(buffer, line, first, last_line, last),
   }
 end
 
--- Marks these places, by number, instead of those before.
-function M.set(places)
-  M.clear()
-  local marks = {}
-  for number, place in pairs(places) do
-    marks[number] = place_mark(place)
+local places = {} -- by the number of the step
+local marks = {} -- by buffer and place, in the buffers that are loaded
+
+local function key_of(place)
+  return table.concat({ place.line, place.first, place.last_line, place.last }, ':')
+end
+
+-- Steps at one place share a mark.
+local function mark_all(path, buffer)
+  marks[buffer] = {}
+  for _, place in pairs(places) do
+    local key = key_of(place)
+    if place.path == path and not marks[buffer][key] then
+      marks[buffer][key] = mark_of(buffer, place)
+    end
   end
-  return marks
 end
 
 function M.clear()
-  for _, buffer in ipairs(vim.api.nvim_list_bufs()) do
+  places, marks = {}, {}
+  loaded.clear(space)
+end
+
+-- Marks these places, by number, instead of those before. A file that is not open is marked when a step leads into it.
+function M.set(new)
+  M.clear()
+  places = new
+  local paths = {}
+  for _, place in pairs(new) do
+    paths[place.path] = true
+  end
+  for path in pairs(paths) do
+    local buffer = vim.fn.bufadd(path)
     if vim.api.nvim_buf_is_loaded(buffer) then
-      vim.api.nvim_buf_clear_namespace(buffer, space, 0, -1)
+      mark_all(path, buffer)
     end
   end
 end
@@ -65,11 +81,21 @@ local function place_of(mark, buffer)
   return line and { line = line, first = first, last_line = details.end_row, last = details.end_col }
 end
 
--- Where a marked place is now, with its buffer; nil if its text was removed. It is where it was if the buffer has lost its marks
--- as it was unloaded, or if a formatter has replaced the text by the same. A text that was loaded again may be shorter.
-function M.now(mark, place)
-  local buffer = buffer_of(place)
-  local now = mark.buffer == buffer and place_of(mark, buffer)
+-- Where the place with this number is now, with its buffer; nil if there is none, or if its text was removed. It is where it was
+-- if the buffer has lost its marks as it was unloaded, or if a formatter has replaced the text by the same. A text that was
+-- loaded again may be shorter.
+function M.now(number)
+  local place = places[number]
+  if not place then
+    return nil
+  end
+  local buffer = vim.fn.bufadd(place.path)
+  vim.fn.bufload(buffer)
+  if not marks[buffer] then
+    mark_all(place.path, buffer)
+  end
+  local mark = marks[buffer][key_of(place)]
+  local now = place_of(mark, buffer)
   local removed = now and is_removed(mark, now)
   local line, first, last_line, last = within(buffer, now and not removed and now or place)
   if removed and text_at(buffer, line, first, last_line, last) ~= mark.text then

@@ -2,6 +2,7 @@
 -- step beside it, with the changes marked.
 local client = require('proskill.client')
 local config = require('proskill.config')
+local loaded = require('proskill.loaded')
 local message = require('proskill.message')
 local place = require('proskill.place')
 local step_marks = require('proskill.step_marks')
@@ -64,22 +65,8 @@ local function note(shown, step)
   return notes
 end
 
-local function clear()
-  for _, buffer in ipairs(vim.api.nvim_list_bufs()) do
-    if vim.api.nvim_buf_is_loaded(buffer) then
-      vim.api.nvim_buf_clear_namespace(buffer, space, 0, -1)
-    end
-  end
-end
-
 local function place_of(shown, number)
   return number == 0 and shown.place or shown.trace.steps[number] and shown.trace.steps[number].place
-end
-
--- Where the text of a step is now: nil if it has none, or was removed.
-local function present_place(shown, number)
-  local where = place_of(shown, number)
-  return where and step_marks.now(shown.marks[number], where)
 end
 
 -- The places are those of the present text.
@@ -88,11 +75,11 @@ local function set_marks(shown)
   for number = 0, #shown.trace.steps do
     places[number] = place_of(shown, number)
   end
-  shown.marks = step_marks.set(places)
+  step_marks.set(places)
 end
 
 local function mark(shown, step)
-  local where = present_place(shown, shown.at)
+  local where = step_marks.now(shown.at)
   if not where then
     return
   end
@@ -107,7 +94,7 @@ end
 
 -- Shows a step's place in the program's window, wherever the cursor is.
 local function scroll(shown)
-  local where = present_place(shown, shown.at)
+  local where = step_marks.now(shown.at)
   if not where or not vim.api.nvim_win_is_valid(shown.window) then
     return
   end
@@ -136,7 +123,7 @@ local function render(number)
   local shown = M.shown
   shown.at = number
   local step = shown.trace.steps[number]
-  clear()
+  loaded.clear(space)
   mark(shown, step)
   if shown.buffer and vim.api.nvim_buf_is_valid(shown.buffer) then
     dim(shown, shown.buffer)
@@ -235,7 +222,7 @@ function M.close()
   M.shown.unmap()
   M.shown = nil
   vim.api.nvim_create_augroup('proskill.trace', {})
-  clear()
+  loaded.clear(space)
   step_marks.clear()
   values.close()
   vim.cmd('cclose')
