@@ -24,48 +24,38 @@ std::size_t bytesOf(const analysis::Program& program) {
 
 } // namespace
 
-void Verification::checkInView(const Programs& program, const ide::Snapshot& now,
+void Verification::checkInView(const Programs& program, const ide::Snapshot& now, double seconds,
                                const VerificationSettings& chosen,
-                               const rpc::Cancellation& cancellation) {
-  if (bytesOf(program->program) < kLarge) return;
-  auto budget = chosen.liveBudget;
-  budget.seconds /= 2;
-  checkInView(program, now, budget, cancellation, {});
+                               const rpc::Cancellation& cancellation, const std::stop_token& stop) {
+  const auto [names, part] = takeInView(program->program, cancellation, stop);
+  if (names.empty()) return;
+  auto job = worker::jobFor(program->program);
+  job.names = names;
+  job.budget = chosen.liveBudget;
+  job.budget.seconds = seconds;
+  const auto found = run(program, now.open(), job, kLiveLimits, part, {});
+  if (found)
+    recordInView(program, *found, now.open());
+  else if (found.error().cancelled)
+    forgetInView(names);
 }
 
-std::expected<Verified, worker::WorkerFailure> Verification::besideView(
-    const Programs& program, const ide::Snapshot& now, const VerificationSettings& chosen,
-    const rpc::Cancellation& cancellation,
-    const std::function<std::expected<Verified, worker::WorkerFailure>()>& all) {
+std::expected<Verified, worker::WorkerFailure>
+Verification::inViewFirst(const Programs& program, const ide::Snapshot& now,
+                          const VerificationSettings& chosen, const rpc::Cancellation& cancellation,
+                          const RunAll& all) {
   if (bytesOf(program->program) < kLarge) return all();
-  auto budget = chosen.liveBudget;
-  budget.seconds = std::min(budget.seconds / 2, kMostSecondsAside);
+  const double most = chosen.liveBudget.seconds / 2;
+  checkInView(program, now, most, chosen, cancellation, {});
   std::jthread aside([&](const std::stop_token& stop) {
-    while (hasScrolled(stop)) checkInView(program, now, budget, cancellation, stop);
+    while (hasScrolled(stop))
+      checkInView(program, now, std::min(most, kMostSecondsAside), chosen, cancellation, stop);
   });
   auto verified = all();
   aside.request_stop();
   const std::lock_guard lock(mutex);
   runningInView.cancel();
   return verified;
-}
-
-/// When the user scrolls to other definitions, they are verified instead.
-void Verification::checkInView(const Programs& program, const ide::Snapshot& now,
-                               const worker::Budget& budget, const rpc::Cancellation& cancellation,
-                               const std::stop_token& stop) {
-  auto job = worker::jobFor(program->program);
-  job.budget = budget;
-  while (true) {
-    const auto [names, part] = takeInView(program->program, cancellation, stop);
-    if (names.empty()) return;
-    job.names = names;
-    const auto found = run(program, now.open(), job, kLiveLimits, part, {});
-    if (found)
-      recordInView(program, *found, now.open());
-    else if (found.error().cancelled)
-      forgetInView(names);
-  }
 }
 
 /// The definitions in view that were not verified as such yet, and what cancels their

@@ -265,10 +265,9 @@ Verification::Checked Verification::checkProgram(const Programs& program, const 
   }
   beginWork(program, now.open());
   store.set(program, VerificationState::Checking);
-  checkInView(program, now, chosen, cancellation);
   auto job = worker::jobFor(program->program);
   job.budget = chosen.liveBudget;
-  auto verified = besideView(program, now, chosen, cancellation, [&] {
+  auto verified = inViewFirst(program, now, chosen, cancellation, [&] {
     return run(
         program, now.open(), job, kLiveLimits, cancellation,
         [&](const worker::WorkerProgress& progress) { store.setProgress(program, progress); });

@@ -75,16 +75,17 @@ private:
   run(const Programs& program, const ide::OpenTexts& open, const worker::WorkerJob& job,
       const LimitSettings& limits, const rpc::Cancellation& cancellation,
       const std::function<void(const worker::WorkerProgress&)>& progress);
-  void checkInView(const Programs& program, const ide::Snapshot& snapshot,
-                   const VerificationSettings& settings, const rpc::Cancellation& cancellation);
-  void checkInView(const Programs& program, const ide::Snapshot& snapshot,
-                   const worker::Budget& budget, const rpc::Cancellation& cancellation,
+  using RunAll = std::function<std::expected<Verified, worker::WorkerFailure>()>;
+  /// Verifies what is in view of a large program, then the whole by `all`, and meanwhile what is
+  /// scrolled into view.
+  std::expected<Verified, worker::WorkerFailure> inViewFirst(const Programs& program,
+                                                             const ide::Snapshot& snapshot,
+                                                             const VerificationSettings& settings,
+                                                             const rpc::Cancellation& cancellation,
+                                                             const RunAll& all);
+  void checkInView(const Programs& program, const ide::Snapshot& snapshot, double seconds,
+                   const VerificationSettings& settings, const rpc::Cancellation& cancellation,
                    const std::stop_token& stop);
-  /// Verifies what is scrolled into view while `all` verifies the whole program.
-  std::expected<Verified, worker::WorkerFailure>
-  besideView(const Programs& program, const ide::Snapshot& snapshot,
-             const VerificationSettings& settings, const rpc::Cancellation& cancellation,
-             const std::function<std::expected<Verified, worker::WorkerFailure>()>& all);
   [[nodiscard]] std::pair<std::vector<std::string>, rpc::Cancellation>
   takeInView(const analysis::Program& program, const rpc::Cancellation& cancellation,
              const std::stop_token& stop);
