@@ -1,5 +1,4 @@
-#include "tests/support/run.h"
-#include "tests/where.h"
+#include "tests/cli/imports.h"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -12,25 +11,15 @@ using Json = nlohmann::json;
 
 namespace import_command {
 
+using imports::command;
+using imports::contains;
+using imports::contentOf;
+using imports::kLeaves;
+using imports::kPatrol;
+
 namespace {
 
-constexpr auto kPatrol = PROSKILL_SOURCE_DIR "/examples/patrol/patrol.xml";
 constexpr auto kBug = PROSKILL_SOURCE_DIR "/examples/patrol/bug.xml";
-constexpr auto kLeaves = PROSKILL_SOURCE_DIR "/examples/patrol/leaves.json";
-
-Finished command(std::vector<std::string> words) {
-  words.insert(words.begin(), PROSKILL_PROGRAM);
-  return run(words);
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-std::string contentOf(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 } // namespace
 
