@@ -3,6 +3,8 @@
 #include "analysis/names/names.h"
 
 #include <algorithm>
+#include <map>
+#include <string>
 
 namespace proskill::bridge::bt {
 namespace {
@@ -69,14 +71,33 @@ bool isWayOut(const syntax::Block& block) {
   return kind == Does::Goto || kind == Does::Success || kind == Does::Failure;
 }
 
-/// Whether jumps from other steps lead into the loop.
-bool isEntered(Steps loop, Steps before, Steps after) {
-  for (const auto& step : loop) {
-    if (!isLabel(step)) continue;
-    const auto label = exitTo(step.statement->name.text);
-    if (jumpsOf(before).contains(label) || jumpsOf(after).contains(label)) return true;
-  }
-  return false;
+/// Whether a jump of other steps leads into these.
+bool isEntered(Steps steps, const Exits& jumps) {
+  return std::ranges::any_of(steps, [&](const Step& step) {
+    return isLabel(step) && jumps.contains(exitTo(step.statement->name.text));
+  });
+}
+
+/// The steps of a block that jump to each label, by index.
+using Origins = std::map<std::string, std::vector<std::size_t>>;
+
+Origins originsIn(Steps steps) {
+  Origins origins;
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    for (const auto& jump : jumpsOf(steps.subspan(i, 1))) origins[jump].push_back(i);
+  return origins;
+}
+
+/// Whether a jump of another step of the block leads into these.
+bool isEntered(Steps steps, std::size_t begin, const Origins& origins) {
+  const auto isOther = [&](std::size_t from) {
+    return from < begin || from >= begin + steps.size();
+  };
+  return std::ranges::any_of(steps, [&](const Step& step) {
+    if (!isLabel(step)) return false;
+    const auto found = origins.find(exitTo(step.statement->name.text));
+    return found != origins.end() && std::ranges::any_of(found->second, isOther);
+  });
 }
 
 } // namespace
@@ -86,13 +107,12 @@ CountedLoops::CountedLoops(const analysis::Program& program)
 
 std::vector<Step> CountedLoops::grouped(std::vector<Step> steps) const {
   std::vector<Step> result;
+  const auto origins = originsIn(steps);
   for (std::size_t i = 0; i < steps.size();) {
     std::size_t length = 0;
     const auto rest = Steps(steps).subspan(i);
     auto loop = loopAtBegin(rest, length);
-    const bool isLoop =
-        loop && !isEntered(rest.first(length), Steps(steps).first(i), rest.subspan(length));
-    if (!isLoop) {
+    if (!loop || isEntered(rest.first(length), i, origins)) {
       result.push_back(steps[i++]);
       continue;
     }
@@ -145,7 +165,8 @@ std::optional<Counted> CountedLoops::recovery(Steps steps, std::size_t count,
     const auto recovery = steps.subspan(i + 1, count - i - 1);
     const bool isPlain = canHold(counter, *times) && isWayOut(arm->body) &&
                          !jumpsOf(steps.subspan(2, count - 2)).contains(exitTo(label)) &&
-                         !isEntered(round, {}, recovery) && !isEntered(recovery, round, {});
+                         !isEntered(round, jumpsOf(recovery)) &&
+                         !isEntered(recovery, jumpsOf(round));
     auto exits = exitsOf(round);
     exits.erase(kNext);
     auto failures = exitsOf(recovery);
